@@ -179,7 +179,7 @@ fn why(arches: &DoubleArches, row: usize) -> String {
         };
         let eta = parse::thickness(&text(etas[row])).map_err(wrong)?;
         let found = arch.certify_thickness(&eta, 17);
-        Ok(report::Answer::assessment(1, (&arch, &eta), &found))
+        Ok(report::Answer::assessment(report::Extent::ALL, 1, (&arch, &eta), &found))
     });
     match found {
         Ok(found) => found.reason().unwrap_or_default().into_owned(),

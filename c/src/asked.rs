@@ -73,7 +73,7 @@ impl ArchRead {
         let found = match &self.given.thickness {
             Some(eta) => {
                 let found = arch.certify_thickness(eta, digits);
-                answer::assessment(1, (arch, eta, measures), digits, &found)
+                answer::assessment(report::Extent::ALL, 1, (arch, eta, measures), digits, &found)
             }
             None => answer::state(1, (arch, measures), digits, &arch.certify(digits)),
         };

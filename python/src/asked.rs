@@ -12,7 +12,7 @@ use couplet::certify::{CertifiedLandmark, quantities};
 use couplet::cli::{self, doors};
 use couplet::door::find as sought;
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
-use couplet::report::{Answer, Claims, Format, Reported, Style, TiltDrawing, Understood};
+use couplet::report::{Answer, Claims, Extent, Format, Reported, Style, TiltDrawing, Understood};
 use couplet::sweep::failure::Failure;
 use couplet::sweep::{answer, parse, surveyed as survey};
 use pyo3::prelude::*;
@@ -177,7 +177,7 @@ pub(crate) fn assess<'py>(
     let found = on_one_thread(py, digits, move || {
         let found = arch.certify_thickness(&eta, digits);
         let measures = measures.as_ref().map(|of| (of, digits));
-        answer::assessment(1, (&arch, &eta, measures), digits, &found)
+        answer::assessment(Extent::ALL, 1, (&arch, &eta, measures), digits, &found)
     })?;
     told::answer(py, &found)
 }

@@ -1,17 +1,10 @@
 //! `couplet complementarity`, and what `state` and `assess` say of it.
 
-use crate::program::{couplet, text};
+use crate::program::{couplet, object, printed, said};
 use serde_json::Value;
 
-fn output(line: &[&str]) -> String {
-    let output = couplet(line);
-    assert_eq!(output.status.code(), Some(0), "{line:?}: {}", text(&output.stderr));
-    text(&output.stdout)
-}
-
-fn solutions(line: &[&str]) -> Vec<(bool, String, String)> {
-    let line = [&["complementarity", "--format", "json", "--digits", "8"], line].concat();
-    let found: Value = serde_json::from_str(&output(&line)).unwrap();
+fn solutions(arch: &str) -> Vec<(bool, String, String)> {
+    let found = object(format!("complementarity --digits 8 {arch}"));
     let solution = |solution: &Value| {
         let text = |of: &Value| of.as_str().unwrap().to_owned();
         let symmetric = solution["symmetric"].as_bool().unwrap();
@@ -26,21 +19,21 @@ fn solution(symmetric: bool, mode: &str, thickness: &str) -> (bool, String, Stri
 
 #[test]
 fn solutions_come_by_their_thickness() {
-    let line = ["--weight", "heyman", "--half-opening", "2.3", "--friction", "1.09"];
+    let line = "--weight heyman --half-opening 2.3 --friction 1.09";
     let expected = [
         solution(true, "[r,r,r]", "0.47926966"),
         solution(false, "shoulder_opening", "0.63927187"),
         solution(false, "inner_sliding", "0.65299139"),
     ];
-    assert_eq!(solutions(&line), expected);
+    assert_eq!(solutions(line), expected);
 }
 
 #[test]
 fn an_arch_without_friction_to_slide_has_the_symmetric_one() {
-    let line = ["--half-opening", "pi/2", "--friction", "inf"];
-    assert_eq!(solutions(&line), [solution(true, "[r,r,r]", "0.10747804")]);
-    assert!(solutions(&["--half-opening", "pi/2", "--friction", "0.3"]).is_empty());
-    let words = output(&["complementarity", "--alpha", "pi/2", "--mu", "0.6"]);
+    let line = "--half-opening pi/2 --friction inf";
+    assert_eq!(solutions(line), [solution(true, "[r,r,r]", "0.10747804")]);
+    assert!(solutions("--half-opening pi/2 --friction 0.3").is_empty());
+    let words = printed("complementarity --alpha pi/2 --mu 0.6");
     assert!(words.contains("no asymmetric solution is found"), "{words}");
     assert!(words.contains("where it finds fewer, that there are no more is not"), "{words}");
 }
@@ -48,8 +41,8 @@ fn an_arch_without_friction_to_slide_has_the_symmetric_one() {
 /// The programme (20): a positive least value, or nothing admissible.
 #[test]
 fn the_programme_is_enclosed() {
-    let arch = ["complementarity", "--half-opening", "2.3", "--friction", "1.05", "--stones", "8"];
-    let at = |eta: &str| output(&[&arch[..], &["--thickness", eta]].concat());
+    let arch = "complementarity --half-opening 2.3 --friction 1.05 --stones 8 --thickness";
+    let at = |eta: &str| printed(format!("{arch} {eta}"));
     let words = at("0.52");
     assert!(words.contains("least value 0.0000761478"), "{words}");
     assert!(words.contains("positive, proved"), "{words}");
@@ -59,16 +52,15 @@ fn the_programme_is_enclosed() {
 /// At the least thickness of the stones it is zero exactly, for the whole arch and for its half.
 #[test]
 fn the_programme_is_zero_at_the_least_thickness() {
-    let arch =
-        ["complementarity", "--alpha", "2.3", "--mu", "1.05", "--stones", "8", "--digits", "6"];
-    for half in [&[][..], &["--half"]] {
-        let words = output(&[&arch[..], &["--eta", "least"], half].concat());
+    let arch = "complementarity --alpha 2.3 --mu 1.05 --stones 8 --digits 6";
+    for half in ["", "--half"] {
+        let words = printed(format!("{arch} --eta least {half}"));
         assert!(words.contains("at thickness 0.511561, the least"), "{words}");
         assert!(words.contains("least value 0, exactly"), "{words}");
-        let near = output(&[&arch[..], &["--eta", "0.511562"], half].concat());
+        let near = printed(format!("{arch} --eta 0.511562 {half}"));
         assert!(near.contains("positive, proved"), "{near}");
     }
-    let half = output(&[&arch[..], &["--eta", "0.52", "--half"]].concat());
+    let half = printed(format!("{arch} --eta 0.52 --half"));
     assert!(
         half.contains("5 joints of the half arch") && half.contains("least value 0.0"),
         "{half}"
@@ -78,9 +70,8 @@ fn the_programme_is_zero_at_the_least_thickness() {
 /// All solutions between stones, in every format.
 #[test]
 fn all_solutions_between_stones_are_told() {
-    let arch =
-        ["complementarity", "--alpha", "2.3", "--mu", "1.05", "--stones", "8", "--digits", "8"];
-    let words = output(&arch);
+    let arch = "complementarity --alpha 2.3 --mu 1.05 --stones 8 --digits 8";
+    let words = printed(arch);
     for told in [
         "All solutions of (19) between 8 equal stones, 9 joints of the whole arch",
         "   0.51156098  symmetric: the least thickness",
@@ -90,21 +81,20 @@ fn all_solutions_between_stones_are_told() {
     ] {
         assert!(words.contains(told), "{told}: {words}");
     }
-    let half = output(&[&arch[..], &["--half"]].concat());
+    let half = printed(format!("{arch} --half"));
     assert!(half.contains("no other thickness up to 2 has a symmetric solution, proved"), "{half}");
     assert!(!half.contains("0.68442173"));
-    let found: Value =
-        serde_json::from_str(&output(&[&arch[..], &["--format", "json"]].concat())).unwrap();
+    let found = object(arch);
     let all = &found["enumeration"];
     assert_eq!((&all["outcome"], &all["looked_at"]), (&"complete".into(), &7140.into()));
     assert_eq!(all["solutions"][1]["thickness"]["value"], "0.68442173");
     assert_eq!(all["solutions"][1]["joints"][2]["side"], "crown");
-    let rows = output(&[&arch[..], &["--format", "csv"]].concat());
+    let rows = printed(format!("{arch} --format csv"));
     assert!(
         rows.lines().any(|row| row.ends_with(",8,solution,,,") && row.contains("0.68442173")),
         "{rows}"
     );
-    let nothing = output(&["complementarity", "--alpha", "pi/2", "--mu", "0.1", "--stones", "6"]);
+    let nothing = printed("complementarity --alpha pi/2 --mu 0.1 --stones 6");
     assert!(nothing.contains("none, proved: at no thickness up to 2"), "{nothing}");
 }
 
@@ -113,39 +103,39 @@ fn all_solutions_between_stones_are_told() {
 #[test]
 fn between_stones_no_other_arch_is_told() {
     for (mu, stones) in [("inf", "2"), ("0.8", "2"), ("0.8", "3")] {
-        let arch = ["complementarity", "--alpha", "60deg", "--mu", mu, "--stones", stones];
-        let with = |more: &[&str]| output(&[&arch[..], more].concat());
-        let words = with(&[]);
+        let arch = format!("complementarity --alpha 60deg --mu {mu} --stones {stones}");
+        let with = |more: &str| printed(format!("{arch} {more}"));
+        let words = with("");
         assert!(words.contains("no thickness up to 2 has a solution, proved"), "{words}");
         assert!(!words.contains("least thickness") && !words.contains("no other"), "{words}");
-        let found: Value = serde_json::from_str(&with(&["--format", "json"])).unwrap();
+        let found = object(&arch);
         assert_eq!((&found["solutions"], &found["search"]), (&Value::Null, &Value::Null));
         assert_eq!(found["enumeration"]["outcome"], "complete");
         assert_eq!(found["enumeration"]["solutions"], Value::Array(Vec::new()));
-        let rows = with(&["--format", "csv"]);
+        let rows = with("--format csv");
         assert_eq!(rows.lines().count(), 2, "{rows}");
         assert!(rows.trim_end().ends_with(&format!(",jointed,,,,,{stones},complete,,,")), "{rows}");
-        let every = solutions(&["--alpha", "60deg", "--mu", mu]);
-        let words = with(&["--thickness", &every[0].2]);
+        let every = solutions(&format!("--alpha 60deg --mu {mu}"));
+        let words = with(&format!("--thickness {}", every[0].2));
         assert!(words.contains("positive, proved"), "{words}");
         assert!(!words.contains("symmetric, ["), "{words}");
     }
     // Where there is one, no other is told of beside it.
-    let arch = ["complementarity", "--alpha", "pi/2", "--mu", "0.5", "--stones", "5"];
-    let words = output(&arch);
+    let arch = "complementarity --alpha pi/2 --mu 0.5 --stones 5";
+    let words = printed(arch);
     assert!(words.contains("symmetric: the least thickness"), "{words}");
     assert!(words.contains("no other thickness up to 2 has a solution"), "{words}");
-    let half = output(&[&arch[..], &["--half"]].concat());
+    let half = printed(format!("{arch} --half"));
     assert!(half.starts_with("Complementarity problem (19) of the half arch"), "{half}");
 }
 
 /// With unlimited friction there may be no rates at all, and so no value of the programme.
 #[test]
 fn where_no_rates_fit_there_is_no_solution() {
-    let arch = ["complementarity", "--alpha", "60deg", "--mu", "inf", "--stones", "2"];
-    let at = |format| output(&[&arch[..], &["--thickness", "1.2", "--format", format]].concat());
+    let arch = "complementarity --alpha 60deg --mu inf --stones 2 --thickness 1.2";
+    let at = |format| printed(format!("{arch} --format {format}"));
     assert!(at("table").contains("no rates fit: (19) has no solution"));
-    let found: Value = serde_json::from_str(&at("json")).unwrap();
+    let found = object(arch);
     let programme = &found["programme"];
     assert_eq!((&found["verdict"], &programme["outcome"]), (&"proved".into(), &"no_rates".into()));
     assert!(programme["least_value_lower"].is_null());
@@ -156,10 +146,9 @@ fn where_no_rates_fit_there_is_no_solution() {
 #[test]
 fn a_tiny_arch_between_stones_is_undecided_in_a_line() {
     for (alpha, stones) in [("1e-7", "6"), ("1e-9", "8")] {
-        let line = ["--half-opening", alpha, "--friction", "0.6", "--stones", stones];
-        let open = couplet(&[&["complementarity"][..], &line].concat());
-        let error = text(&open.stderr);
-        assert_eq!((open.status.code(), error.lines().count()), (Some(1), 1), "{error}");
+        let line = format!("complementarity --alpha {alpha} --mu 0.6 --stones {stones}");
+        let (code, _, error) = said(&couplet(line));
+        assert_eq!((code, error.lines().count()), (Some(1), 1), "{error}");
         assert!(error.contains("undecided: whether there is a solution at a thickness"), "{error}");
     }
 }
@@ -167,53 +156,22 @@ fn a_tiny_arch_between_stones_is_undecided_in_a_line() {
 /// A person is told of them; rows and files are as they were.
 #[test]
 fn state_and_assess_tell_a_person() {
-    let arch = ["--half-opening", "2.3", "--friction", "1.05", "--digits", "6"];
+    let arch = "--half-opening 2.3 --friction 1.05 --digits 6";
     let told = "asymmetric mechanism, proved, at the thickness 0.583084: ";
-    let state = [&["state"], &arch[..]].concat();
-    assert!(output(&state).contains(told));
-    let plain = [&state[..], &["--format", "json"]].concat();
-    assert!(output(&plain).contains("\"asymmetric_thickness\": {"));
-    let assess = |eta: &str| output(&[&["assess", "--thickness", eta], &arch[..]].concat());
+    assert!(printed(format!("state {arch}")).contains(told));
+    assert!(object(format!("state {arch}"))["asymmetric_thickness"].is_object());
+    let assess = |eta| printed(format!("assess --thickness {eta} {arch}"));
     assert!(assess("0.55").contains(told));
     assert!(!assess("0.5").contains("asymmetric"), "it falls anyway");
-    let semicircle = ["state", "--half-opening", "pi/2", "--friction", "0.35"];
-    assert!(!output(&semicircle).contains("asymmetric"));
-}
-
-#[test]
-fn what_is_wrong_is_said_in_a_line() {
-    for (line, words) in [
-        (&["--friction", "1"][..], "--half-opening is missing"),
-        (&["--half-opening", "0", "--friction", "1"], "half opening"),
-        (&["--half-opening", "2.3", "--friction", "-1"], "friction"),
-        (&["--half-opening", "2.3", "--friction", "1", "--format", "svg"], "only as table"),
-        (&["--half-opening", "2.3", "--friction", "1", "--digits", "0"], "digits"),
-        (&["--half-opening", "2.3", "--friction", "1", "--stones", "61"], "at most 60"),
-        (&["--half-opening", "2.3", "--friction", "1", "--half"], "--stones"),
-        (
-            &["--half-opening", "2.3", "--friction", "1", "--eta", "1", "--stones", "1"],
-            "from 2 to 60, or to 100 with --thickness",
-        ),
-        (&["--half-opening", "2.3", "--friction", "1", "--eta", "3", "--stones", "9"], "thickness"),
-        (
-            &["--half-opening", "2.3", "--friction", "1", "--eta", "leats", "--stones", "9"],
-            "`least`",
-        ),
-    ] {
-        let output = couplet(&[&["complementarity"], line].concat());
-        let error = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{error}");
-        assert_eq!(error.trim_end().lines().count(), 1, "{error}");
-        assert!(error.contains(words), "{error}");
-    }
+    let semicircle = "state --half-opening pi/2 --friction 0.35";
+    assert!(!printed(semicircle).contains("asymmetric"));
 }
 
 /// The branch meets what `state` says, at its ends and between them; CSV and JSON have the same nodes.
 #[test]
 fn a_branch_begins_and_ends_on_the_least_thickness() {
-    let line = ["complementarity", "--half-opening", "2.3", "--branch", "--digits", "20"];
-    let found: Value =
-        serde_json::from_str(&output(&[&line[..], &["--format", "json"]].concat())).unwrap();
+    let line = "complementarity --half-opening 2.3 --branch --digits 20";
+    let found = object(line);
     assert_eq!(found["verdict"], "proved");
     let points = found["points"].as_array().unwrap();
     let value = |point: &Value, name: &str| point[name]["value"].as_str().unwrap().to_owned();
@@ -225,12 +183,11 @@ fn a_branch_begins_and_ends_on_the_least_thickness() {
     }
     assert_eq!(value(change, "thickness"), "0.60334349864365555821");
     let mu = value(change, "friction");
-    let state = output(&["state", "--alpha", "2.3", "--mu", &mu, "--digits", "15", "--plain"]);
+    let state = printed(format!("state --alpha 2.3 --mu {mu} --digits 15 --plain"));
     let least = value(change, "least_thickness")[..14].to_owned();
     assert!(state.lines().any(|line| line.starts_with(&least)), "{least}: {state}");
     // Of one friction the solution is between the two.
-    let [(true, ..), (false, _, other)] =
-        &solutions(&["--half-opening", "2.3", "--friction", "1.06"])[..]
+    let [(true, ..), (false, _, other)] = &solutions("--half-opening 2.3 --friction 1.06")[..]
     else {
         panic!("one of each")
     };
@@ -238,42 +195,25 @@ fn a_branch_begins_and_ends_on_the_least_thickness() {
     let parts = found["parts"].as_array().unwrap();
     let nodes = parts.iter().chain(found["least"].as_array().unwrap());
     let nodes: usize = nodes.map(|part| part["nodes"].as_array().unwrap().len()).sum();
-    let table = output(&[&line[..], &["--format", "csv"]].concat());
+    let table = printed(format!("{line} --format csv"));
     assert_eq!(table.lines().count(), nodes + 1);
     assert!(parts.iter().all(|part| part["admissible"] == true), "{parts:?}");
 }
 
 #[test]
 fn where_there_is_no_branch_it_is_said() {
-    let words = output(&["complementarity", "--half-opening", "2", "--branch"]);
+    let words = printed("complementarity --half-opening 2 --branch");
     assert!(words.contains("no branch leaves the least thickness: at the friction"), "{words}");
     assert!(words.contains("and there is no asymmetric solution at all"), "{words}");
-    let drawn = couplet(&["complementarity", "--half-opening", "2", "--branch", "--format", "svg"]);
-    assert_eq!(drawn.status.code(), Some(1));
-    assert!(text(&drawn.stderr).contains("nothing to draw"), "{drawn:?}");
-    for (line, words) in [
-        (&["--branch"][..], "--half-opening is missing"),
-        (&["--branch", "--half-opening", "0"], "half opening"),
-        (&["--branch", "--half-opening", "4"], "half opening"),
-        (&["--branch", "--half-opening", "2.3", "--friction", "1"], "--friction"),
-        (&["--branch", "--half-opening", "2.3", "--tolerance", "2"], "tolerance"),
-        (&["--half-opening", "2.3", "--friction", "1", "--tolerance", "1e-3"], "--branch"),
-        (&["--branch", "--half-opening", "2.3", "--digits", "31"], "30"),
-        (&["--branch", "--half-opening", "2.3", "--format", "html"], "html"),
-    ] {
-        let output = couplet(&[&["complementarity"], line].concat());
-        let error = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{line:?}: {error}");
-        assert_eq!(error.trim_end().lines().count(), 1, "{error}");
-        assert!(error.contains(words), "{error}");
-    }
+    let drawn = couplet("complementarity --half-opening 2 --branch --format svg");
+    let (code, _, error) = said(&drawn);
+    assert!(code == Some(1) && error.contains("nothing to draw"), "{error}");
 }
 
 /// Its parts, its ends and what is not proved are in the picture.
 #[test]
 fn a_branch_is_drawn_beside_the_least_thickness() {
-    let drawn =
-        output(&["complementarity", "--half-opening", "2.21", "--branch", "--format", "svg"]);
+    let drawn = printed("complementarity --half-opening 2.21 --branch --format svg");
     for id in ["least", "inner_sliding", "shoulder_sliding", "legend"] {
         assert!(drawn.contains(&format!("id=\"{id}\"")), "{id}");
     }
@@ -286,55 +226,22 @@ fn a_branch_is_drawn_beside_the_least_thickness() {
 #[test]
 fn no_least_thickness_is_an_answer() {
     for (mu, stones, outcome, words) in [
-        (
-            "2",
-            "3",
-            "every_thickness_stands",
-            "there is none, proved: every thickness up to 2 stands",
-        ),
-        ("0.01", "5", "no_thickness_stands", "there is none, proved: no thickness up to 2 stands"),
+        ("2", "3", "every_thickness_stands", "every thickness up to 2 stands"),
+        ("0.01", "5", "no_thickness_stands", "no thickness up to 2 stands"),
     ] {
-        let line = |format| {
-            output(&[
-                "complementarity",
-                "--half-opening",
-                "1",
-                "--friction",
-                mu,
-                "--stones",
-                stones,
-                "--thickness",
-                "least",
-                "--format",
-                format,
-            ])
-        };
-        let found: Value = serde_json::from_str(&line("json")).unwrap();
-        assert_eq!(
-            (&found["verdict"], &found["programme"]["outcome"]),
-            (&"proved".into(), &outcome.into())
-        );
-        assert!(line("table").contains(words));
-        let rows = line("csv");
+        let line =
+            format!("complementarity --alpha 1 --mu {mu} --stones {stones} --thickness least");
+        let found = object(&line);
+        assert_eq!(found["verdict"], "proved");
+        assert_eq!(found["programme"]["outcome"], outcome);
+        assert!(printed(&line).contains(&format!("there is none, proved: {words}")));
+        let rows = printed(format!("{line} --format csv"));
         let last = rows.lines().last().unwrap();
         assert_eq!(last, format!("milankovitch,1,{mu},,programme,least,,,,{stones},{outcome},,,"));
     }
     let line = |thickness| {
-        let rows = output(&[
-            "complementarity",
-            "--half-opening",
-            "2.3",
-            "--friction",
-            "1.05",
-            "--stones",
-            "8",
-            "--thickness",
-            thickness,
-            "--format",
-            "csv",
-            "--digits",
-            "6",
-        ]);
+        let arch = "complementarity --alpha 2.3 --mu 1.05 --stones 8 --digits 6 --format csv";
+        let rows = printed(format!("{arch} --thickness {thickness}"));
         rows.lines().last().unwrap().split(',').skip(4).map(str::to_owned).collect::<Vec<_>>()
     };
     assert_eq!(line("least"), ["programme", "0.511561", "", "", "", "8", "zero", "", "0", "0"]);
@@ -347,30 +254,20 @@ fn no_least_thickness_is_an_answer() {
 /// What stays open is said with its place, on the error stream and as a row.
 #[test]
 fn open_pieces_are_listed() {
-    let line = ["complementarity", "--half-opening", "0.001", "--friction", "0.3", "--stones", "4"];
-    let open = couplet(&[&line[..], &["--half", "--format", "csv"]].concat());
-    let rows = text(&open.stdout);
-    let pieces: Vec<Vec<&str>> = rows
-        .lines()
-        .filter(|row| row.contains(",open,"))
-        .map(|row| row.split(',').collect())
-        .collect();
-    assert_eq!((open.status.code(), pieces.len()), (Some(1), 1), "{rows}");
+    let line = "complementarity --alpha 0.001 --mu 0.3 --stones 4 --half --format csv";
+    let (code, rows, error) = said(&couplet(line));
+    let pieces = rows.lines().filter(|row| row.contains(",open,"));
+    let pieces: Vec<Vec<&str>> = pieces.map(|row| row.split(',').collect()).collect();
+    assert_eq!((code, pieces.len()), (Some(1), 1), "{rows}");
     let words = format!("at a thickness from {} to {}\n", pieces[0][5], pieces[0][11]);
-    assert!(text(&open.stderr).ends_with(&words), "{words}");
+    assert!(error.ends_with(&words), "{words}");
 }
 
 /// Where only a lower bound of the least value is proved, every format tells it.
 #[test]
 fn a_lower_bound_of_the_least_value_is_told_in_every_format() {
-    let told = |arch: &str, format| {
-        let words = ["complementarity"].into_iter().chain(arch.split(' '));
-        output(&words.chain(["--format", format]).collect::<Vec<_>>())
-    };
-    let programme = |arch: &str| -> Value {
-        let found: Value = serde_json::from_str(&told(arch, "json")).unwrap();
-        found["programme"].clone()
-    };
+    let told = |arch: &str, format| printed(format!("complementarity {arch} --format {format}"));
+    let programme = |arch: &str| object(format!("complementarity {arch}"))["programme"].clone();
     let flat = |thickness| {
         format!("--weight heyman --alpha 1.066 --mu 0.303 --stones 5 --digits 9 --eta {thickness}")
     };

@@ -3,7 +3,8 @@
 
 use couplet::arch::SelfWeight;
 use couplet::arch::asymmetric::AsymmetricMode;
-use couplet::check::{Accepted, SurveyCertificate, check, check_survey};
+use couplet::certify::{certify_arch, certify_asymmetric, certify_landmark, certify_survey};
+use couplet::check::{Accepted, Certificate, SurveyCertificate, check, check_survey};
 use couplet::number::AstroInterval;
 use couplet::problem::Landmark;
 use couplet::problem::Problem;
@@ -20,21 +21,29 @@ fn accepted(text: &str) -> Accepted {
     check::<AstroInterval>(text.as_bytes(), 1000).unwrap()
 }
 
+/// The certificates of a folder, each that which the program makes again of what it proves, with what this is.
+fn made_again<T>(folder: &str, target: &str, make: impl Fn(&str) -> (T, String)) -> Vec<T> {
+    let again = |path: PathBuf| {
+        let text = fs::read_to_string(&path).unwrap();
+        let (subject, made) = make(&text);
+        assert!(text == made + "\n", "{}: run `make {target}`", path.display());
+        subject
+    };
+    stored(folder).into_iter().map(again).collect()
+}
+
+fn pretty(made: Certificate) -> String {
+    serde_json::to_string_pretty(&made).unwrap()
+}
+
 #[test]
 fn every_landmark_has_an_accepted_certificate() {
-    let mut subjects: Vec<(Landmark, SelfWeight)> = Vec::new();
-    for path in stored("constants") {
-        let text = fs::read_to_string(&path).unwrap();
-        let accepted = accepted(&text);
-        let Problem::Landmark { landmark, weight } = accepted.problem else { panic!("{path:?}") };
-        {
-            let made = couplet::certify::certify_landmark(landmark, weight, 100).unwrap();
-            let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
-            assert!(text == made, "{}: run `make constants`", path.display());
-        }
+    let mut subjects = made_again("constants", "constants", |text| {
+        let accepted = accepted(text);
+        let Problem::Landmark { landmark, weight } = accepted.problem else { panic!("{text}") };
         assert_eq!(accepted.digits, 100);
-        subjects.push((landmark, weight));
-    }
+        ((landmark, weight), pretty(certify_landmark(landmark, weight, 100).unwrap()))
+    });
     subjects.sort_by_key(|(landmark, weight)| (*landmark, weight.flag()));
     let all: Vec<_> =
         Landmark::ALL.into_iter().flat_map(|l| SelfWeight::ALL.map(|w| (l, w))).collect();
@@ -43,30 +52,24 @@ fn every_landmark_has_an_accepted_certificate() {
 
 #[test]
 fn the_stored_states_are_those_that_the_program_makes() {
-    for path in stored("states") {
-        let text = fs::read_to_string(&path).unwrap();
-        let accepted = accepted(&text);
+    let states = made_again("states", "states", |text| {
+        let accepted = accepted(text);
         let (Problem::State { arch, .. } | Problem::Verdict { arch, .. }) = accepted.problem else {
-            panic!("{path:?}")
+            panic!("{text}")
         };
-        let made = couplet::certify::certify_arch(&arch, None, accepted.digits).unwrap();
-        let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
-        assert!(text == made, "{}: run `make states`", path.display());
-    }
+        ((), pretty(certify_arch(&arch, None, accepted.digits).unwrap()))
+    });
+    assert!(!states.is_empty());
 }
 
 #[test]
 fn the_stored_asymmetric_solutions_are_those_that_the_program_makes() {
-    let mut kinds = Vec::new();
-    for path in stored("asymmetric") {
-        let text = fs::read_to_string(&path).unwrap();
-        let accepted = accepted(&text);
-        let Problem::Asymmetric { mode, arch } = accepted.problem else { panic!("{path:?}") };
-        let made = couplet::certify::certify_asymmetric(&arch, mode, accepted.digits).unwrap();
-        let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
-        assert!(text == made, "{}: run `make states`", path.display());
-        kinds.push((mode.name(), arch.weight().flag()));
-    }
+    let mut kinds = made_again("asymmetric", "states", |text| {
+        let accepted = accepted(text);
+        let Problem::Asymmetric { mode, arch } = accepted.problem else { panic!("{text}") };
+        let made = certify_asymmetric(&arch, mode, accepted.digits).unwrap();
+        ((mode.name(), arch.weight().flag()), pretty(made))
+    });
     kinds.sort_unstable();
     let all = AsymmetricMode::ALL.map(|mode| [0, 1].map(|flag| (mode.name(), flag)));
     assert_eq!(kinds, all.concat());
@@ -74,16 +77,12 @@ fn the_stored_asymmetric_solutions_are_those_that_the_program_makes() {
 
 #[test]
 fn the_stored_surveys_are_those_that_the_program_makes() {
-    let mut verdicts = Vec::new();
-    for path in stored("surveys") {
-        let text = fs::read_to_string(&path).unwrap();
+    let mut verdicts = made_again("surveys", "states", |text| {
         let read = SurveyCertificate::read(text.as_bytes()).unwrap();
         let accepted = check_survey::<AstroInterval>(&read, 1000).unwrap();
-        let made = couplet::certify::certify_survey(&accepted.survey, 10).unwrap();
-        let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
-        assert!(text == made, "{}: run `make states`", path.display());
-        verdicts.push(accepted.verdict.name());
-    }
+        let made = certify_survey(&accepted.survey, 10).unwrap();
+        (accepted.verdict.name(), serde_json::to_string_pretty(&made).unwrap())
+    });
     verdicts.sort_unstable();
     assert_eq!(verdicts, ["all_stand", "all_stand", "both_occur", "none_stands"]);
 }

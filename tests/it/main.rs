@@ -5,16 +5,12 @@
 
 mod arches;
 mod hard;
-#[macro_use]
 mod program;
-#[cfg(unix)]
-mod snapshot;
 mod tool;
 
 mod assemblies;
 mod branches;
 mod certificates;
-mod checker;
 mod command_line;
 mod complementarity;
 mod constants;
@@ -37,6 +33,7 @@ mod outputs;
 mod questions;
 #[cfg(unix)]
 mod reference;
+mod refused;
 mod rooms;
 mod scenes;
 mod standing;

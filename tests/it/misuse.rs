@@ -132,6 +132,8 @@ fn what_is_no_thickness_is_said_to_be_none_for_the_true_reason() {
     let tilt: Slope = "0.1".parse().unwrap();
     for (text, words) in [
         ("0", "the thickness 0 is not between 0 and 2"),
+        ("-1/10", "the thickness -1/10 is not between 0 and 2"),
+        ("2.000001", "the thickness 2.000001 is not between 0 and 2"),
         ("5/2", "the thickness 5/2 is not between 0 and 2"),
         // It is 0.157.
         ("pi/20", "the thickness pi/20 is no ratio of thickness to radius (0.12, 3/25)"),
@@ -139,7 +141,10 @@ fn what_is_no_thickness_is_said_to_be_none_for_the_true_reason() {
         let eta = number(text);
         let question =
             Question::Friction { half_opening: number("1"), thickness: Some(number(text)) };
+        let friction = "0.6".parse().unwrap();
+        let widest = Question::HalfOpening { friction, thickness: Some(number(text)) };
         let doors = [
+            find(M, &widest, 5).refused(),
             arch.certify_thickness(&eta, 5).refused(),
             arch.assess(&eta, 64).refused(),
             Inquiry::new(&arch, 5, false).assess(&eta, 5, Wanted::Standing).refused(),

@@ -2,15 +2,56 @@
 
 use std::process::{Command, Output};
 
+/// What a command is given: a list of words, or the line of them that is typed.
+pub(crate) trait Words {
+    fn words(&self) -> Vec<&str>;
+}
+
+impl Words for str {
+    fn words(&self) -> Vec<&str> {
+        self.split_whitespace().collect()
+    }
+}
+
+impl Words for String {
+    fn words(&self) -> Vec<&str> {
+        self.as_str().words()
+    }
+}
+
+impl Words for [&str] {
+    fn words(&self) -> Vec<&str> {
+        self.to_vec()
+    }
+}
+
+impl<const N: usize> Words for [&str; N] {
+    fn words(&self) -> Vec<&str> {
+        self.to_vec()
+    }
+}
+
+impl Words for Vec<&str> {
+    fn words(&self) -> Vec<&str> {
+        self.clone()
+    }
+}
+
+impl<W: Words + ?Sized> Words for &W {
+    fn words(&self) -> Vec<&str> {
+        (**self).words()
+    }
+}
+
 /// The program with its arguments, to be started in a way of its own.
-pub(crate) fn command(arguments: &[&str]) -> Command {
+pub(crate) fn command(arguments: impl Words) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_couplet"));
-    command.args(arguments);
+    command.args(arguments.words());
     command
 }
 
 /// Runs the program without input.
-pub(crate) fn couplet(arguments: &[&str]) -> Output {
+pub(crate) fn couplet(arguments: impl Words) -> Output {
     command(arguments).output().unwrap()
 }
 
@@ -22,13 +63,15 @@ pub(crate) use whole::*;
 
 /// What only the tests of the whole program need.
 mod whole {
-    use super::{command, couplet, text};
+    use super::{Words, command, couplet, text};
     use serde_json::Value;
+    use std::collections::BTreeMap;
     use std::io::Write;
-    use std::process::{Child, Output, Stdio};
+    use std::path::Path;
+    use std::process::{Child, Command, Output, Stdio};
 
     /// Starts the program with all its streams in hand.
-    pub(crate) fn start(arguments: &[&str]) -> Child {
+    pub(crate) fn start(arguments: impl Words) -> Child {
         command(arguments)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -38,7 +81,7 @@ mod whole {
     }
 
     /// Runs the program with an input of any size.
-    pub(crate) fn fed(arguments: &[&str], input: impl AsRef<[u8]>) -> Output {
+    pub(crate) fn fed(arguments: impl Words, input: impl AsRef<[u8]>) -> Output {
         let mut child = start(arguments);
         let mut stdin = child.stdin.take().unwrap();
         let input = input.as_ref().to_vec();
@@ -51,22 +94,57 @@ mod whole {
         output
     }
 
+    /// Runs a line of the shell, which knows `couplet`, in a folder.
+    pub(crate) fn shell(line: &str, folder: &Path) -> Output {
+        let program = Path::new(env!("CARGO_BIN_EXE_couplet")).parent().unwrap();
+        let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
+        let mut shell = Command::new("sh");
+        shell.args(["-c", line]).env("PATH", path).current_dir(folder).output().unwrap()
+    }
+
     /// Exit code, standard output and standard error.
     pub(crate) fn said(output: &Output) -> (Option<i32>, String, String) {
         (output.status.code(), text(&output.stdout), text(&output.stderr))
     }
 
+    /// What a command prints that does all that it is asked.
+    pub(crate) fn printed(arguments: impl Words) -> String {
+        let (code, output, message) = said(&couplet(&arguments));
+        assert_eq!(code, Some(0), "{:?}: {message}", arguments.words());
+        output
+    }
+
     /// What a command prints as JSON.
-    pub(crate) fn json(arguments: &[&str]) -> Value {
-        let output = couplet(arguments);
-        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
-        serde_json::from_slice(&output.stdout).unwrap()
+    pub(crate) fn json(arguments: impl Words) -> Value {
+        serde_json::from_str(&printed(arguments)).unwrap()
+    }
+
+    /// The same, where it is asked for JSON.
+    pub(crate) fn object(line: impl Words) -> Value {
+        json([&line.words()[..], &["--format", "json"]].concat())
+    }
+
+    /// What a command makes of an input, as lines of JSON.
+    pub(crate) fn lines(arguments: impl Words, input: impl AsRef<[u8]>) -> Vec<Value> {
+        let all = [&arguments.words()[..], &["--format", "jsonl"]].concat();
+        of_lines(&text(&fed(all, input).stdout))
+    }
+
+    /// Lines of JSON.
+    pub(crate) fn of_lines(text: &str) -> Vec<Value> {
+        text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+    }
+
+    /// The rows of a table, by the names of its columns.
+    pub(crate) fn rows(csv: impl AsRef<[u8]>) -> Vec<BTreeMap<String, String>> {
+        csv::Reader::from_reader(csv.as_ref()).deserialize().map(Result::unwrap).collect()
     }
 
     /// The program refuses its arguments or its input: exit code 2, nothing on standard output, and one
     /// line that holds the words.
-    pub(crate) fn refused(arguments: &[&str], input: &str, words: &str) {
-        let (code, output, message) = said(&fed(arguments, input));
+    pub(crate) fn refused(arguments: impl Words, input: &str, words: &str) {
+        let (code, output, message) = said(&fed(&arguments, input));
+        let arguments = arguments.words();
         assert_eq!(code, Some(2), "{arguments:?}: {message}");
         assert_eq!(message.lines().count(), 1, "{arguments:?}: {message}");
         assert!(message.starts_with("couplet: "), "{arguments:?}: {message}");
@@ -82,7 +160,7 @@ mod whole {
             Self(tempfile::Builder::new().prefix("couplet-test-").tempdir().unwrap())
         }
 
-        pub(crate) fn folder(&self) -> &std::path::Path {
+        pub(crate) fn folder(&self) -> &Path {
             self.0.path()
         }
 
@@ -109,16 +187,4 @@ mod whole {
             names
         }
     }
-}
-
-/// One test for each wrong use of the program: its name, the arguments, and words of the one line that
-/// it is refused with.
-macro_rules! wrong_uses {
-    ($($(#[$condition:meta])* $name:ident: $arguments:expr => $words:expr;)*) => {$(
-        $(#[$condition])*
-        #[test]
-        fn $name() {
-            crate::program::refused(&$arguments, "", $words);
-        }
-    )*};
 }

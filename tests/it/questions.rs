@@ -1,10 +1,11 @@
-//! Every question of `tests/questions.txt` by the command, in a scene and as a row: one answer, and one sentence where
-//! there is none. The tests of Python, of C and of the page ask the same.
+//! Every question of `tests/questions.txt` and `tests/ranges.txt` by the command, in a scene and as a row: one answer,
+//! and one sentence where there is none. The tests of Python, of C and of the page ask those of the first.
 
 use crate::program::{Scratch, couplet, fed, text};
 use serde_json::Value;
 
 const QUESTIONS: &str = include_str!("../questions.txt");
+const RANGES: &str = include_str!("../ranges.txt");
 
 /// A question, whether it makes sense, and the fields of its arch.
 struct Asked {
@@ -13,8 +14,8 @@ struct Asked {
     fields: Vec<(&'static str, &'static str)>,
 }
 
-fn all() -> Vec<Asked> {
-    let lines = QUESTIONS.lines().filter(|line| !line.starts_with('#'));
+fn all(questions: &'static str) -> Vec<Asked> {
+    let lines = questions.lines().filter(|line| !line.starts_with('#'));
     let asked = |line: &'static str| {
         let mut words = line.strip_prefix("! ").unwrap_or(line).split(' ');
         let question = words.next().unwrap();
@@ -66,10 +67,11 @@ impl Asked {
         let keys: String = keys.collect();
         let head = "schema = \"couplet.scene/1\"\n[[arches]]\n";
         scratch.write("scene.toml", format!("{head}{keys}digits = 12\nformat = \"json\"\n"));
-        let output = couplet(&["run", &scratch.path("scene.toml")]);
+        let output = couplet(["run", &scratch.path("scene.toml")]);
         if output.status.code() == Some(0) {
             let found: Value = serde_json::from_str(&text(&output.stdout)).unwrap();
-            let (found, remarks) = (found["arches"][0].clone(), text(&output.stderr));
+            let found = found.get("arches").map_or(&found, |arches| &arches[0]).clone();
+            let remarks = text(&output.stderr);
             let note = found["note"].as_str();
             assert_eq!(note.is_some(), !remarks.is_empty(), "{remarks}");
             assert!(note.is_none_or(|note| remarks.ends_with(&format!(": {note}\n"))), "{remarks}");
@@ -81,19 +83,20 @@ impl Asked {
         Err(fault.trim().to_owned())
     }
 
-    fn by_row(&self) -> Result<Value, String> {
+    fn by_row(&self, option: &str) -> Result<Value, String> {
         let [names, texts] = [0, 1].map(|k| {
             let cells = self.fields.iter().map(|pair| if k == 0 { pair.0 } else { pair.1 });
             cells.collect::<Vec<_>>().join(",")
         });
         let table = format!("{names}\n{texts}\n");
-        let output = fed(&["states", "-", "--digits", "12", "--format", "jsonl"], table.as_bytes());
+        let output = fed(format!("states --digits 12 --format jsonl {option}"), table);
         if output.stdout.is_empty() {
             let sentence = text(&output.stderr);
             let sentence = sentence.trim().strip_prefix("couplet: ").unwrap();
             return Err(sentence.split("; its columns are").next().unwrap().to_owned());
         }
-        let row: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let mut row: Value = serde_json::from_slice(&output.stdout).unwrap();
+        row.as_object_mut().unwrap().remove("line");
         match row["error"].as_str() {
             Some(error) => Err(error.to_owned()),
             None => Ok(row),
@@ -116,14 +119,27 @@ fn agree(one: &Value, other: &Value, door: &str) {
 
 #[test]
 fn every_door_answers_alike() {
+    every_door_answers(QUESTIONS, "");
+}
+
+#[test]
+fn every_door_answers_alike_about_ranges() {
+    every_door_answers(RANGES, "--ranges");
+}
+
+/// The option is what a table needs that has such questions.
+fn every_door_answers(questions: &'static str, option: &str) {
     let scratch = Scratch::new();
-    for asked in all() {
+    for asked in all(questions) {
         let command = asked.by_command();
-        let doors = [("scene", asked.by_scene(&scratch)), ("row", asked.by_row())];
+        let doors = [("scene", asked.by_scene(&scratch)), ("row", asked.by_row(option))];
         assert_eq!(command.is_ok(), asked.makes_sense, "{:?}", asked.fields);
         for (door, answer) in doors {
             let place = format!("{door}: {} {:?}", asked.question, asked.fields);
             match (&command, &answer) {
+                (Ok(one), Ok(other)) if one["ranges"].is_array() => {
+                    assert_eq!(one, other, "{place}")
+                }
                 (Ok(one), Ok(other)) => agree(one, other, &place),
                 // Of a column that is missing the file is told.
                 (Err(one), Err(other)) if other.contains("has no column") => {

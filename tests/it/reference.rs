@@ -112,7 +112,7 @@ fn the_map_has_everything_that_is_proved() {
     let listed = fs::read_to_string(house().join("proofs/coq/hand_theorems.txt")).unwrap();
     let listed: Vec<&str> = listed.lines().map(|line| line.split('\t').next().unwrap()).collect();
     assert_eq!(ids("theorem"), listed);
-    let curves = json(&["map", "--weight", "both", "--tolerance", "1e-2", "--format", "json"]);
+    let curves = json("map --weight both --tolerance 1e-2 --format json");
     assert_eq!(ids("curve").len(), curves["curves"].as_array().unwrap().len());
 
     let said = |arguments: &[&str]| squeezed(&text(&crate::program::couplet(arguments).stdout));
@@ -317,7 +317,7 @@ fn statements_are_told_twice() {
     fs::copy(&files[0], files.last().unwrap()).unwrap();
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
     let ours =
-        text(&crate::program::couplet(&[&["check", "--statement"], &files[..]].concat()).stdout);
+        text(&crate::program::couplet([&["check", "--statement"], &files[..]].concat()).stdout);
     let theirs = python(&[&["proofs/check_with_arb.py", "--statement"], &files[..]].concat());
     assert_eq!(ours, theirs);
     assert!(ours.lines().count() == files.len() && files.len() > 30);

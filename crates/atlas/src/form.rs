@@ -111,13 +111,7 @@ impl CurveForm {
             (None, FixedJoint::Crown) => zero.clone(),
             (None, FixedJoint::Sliding) => cycloid::joint(&inclination).square(),
         };
-        let is_whole = self.laws.contains(&Law::OnHaunch);
-        let is_at_crown = !self.knows(Variable::JointSquare) && self.joint == FixedJoint::Crown;
-        let haunch = if is_at_crown || is_whole {
-            Haunch::crown(s)
-        } else {
-            Haunch::at_square(&joint_square)
-        };
+        let haunch = self.haunch(s, &joint_square);
         let thickness = match self.fixes_limit() {
             true => s.int(2),
             false => value(Variable::Thickness),
@@ -148,6 +142,15 @@ impl CurveForm {
             crown_moment: value(Variable::CrownMoment),
             crown_hinge: value(Variable::CrownHinge),
             whole: WholeState::default(),
+        }
+    }
+
+    /// Terms of the rotational joint by the square of its angle, those of the crown where no law asks for them: the
+    /// laws of the whole arch read the square itself.
+    fn haunch<T: Real + Stumpff>(&self, like: &T, square: &T) -> Haunch<T> {
+        match self.has_haunch() && !self.laws.contains(&Law::OnHaunch) {
+            true => Haunch::at_square(square),
+            false => Haunch::crown(like),
         }
     }
 

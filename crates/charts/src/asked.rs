@@ -48,54 +48,29 @@ impl MapAsked<'_> {
                 .map(key);
         let levels = ["half_opening", "thickness"].map(key).join(", ");
         let axes = plane.name().replace('-', " and ");
-        let misfits = [
-            (
-                is_page && (self.names_curves || is_drawn_otherwise),
-                format!(
-                    "a page shows the whole map; leave out {curve}, {over}, {lines} and {bare}"
-                ),
-            ),
-            (
-                !is_picture && is_drawn_otherwise,
-                format!("{over}, {lines} and {bare} are for a picture, svg, png or pdf"),
-            ),
-            (
-                self.lines && plane != Plane::ThicknessFriction,
-                format!("{lines} are drawn over thickness and friction; leave out {over}"),
-            ),
-            (
-                is_picture && !self.lines && self.weights > 1,
-                format!("a map shows one {weight}; {lines} shows the lines of both"),
-            ),
-            (
-                self.lines && (self.bare || has_contours),
-                format!("{lines} are drawn alone; leave out {bare}, {levels} and {friction}"),
-            ),
-            (
-                self.bare && has_contours,
-                format!("a map that is {bare} has no {levels} or {friction}"),
-            ),
-            (
-                is_picture && !crosses,
-                format!("over {axes} lines of a {} are drawn", plane.contour_name()),
-            ),
-            (
-                self.asymmetric && (is_page || (is_picture && !is_over_opening)),
-                format!("{asymmetric} is drawn with {over} opening-friction, as svg, png or pdf"),
-            ),
-            (
-                self.has_marks && (!(is_picture || is_page) || self.lines),
-                format!("for {mark} give a map as svg, png, pdf or html, without {lines}"),
-            ),
-            (
-                has_axes && (!is_picture || self.lines),
-                format!(
-                    "units, ranges and a scale are for a map as svg, png or pdf, without {lines}"
-                ),
-            ),
-        ];
-        let first = misfits.into_iter().find_map(|(is_so, words)| is_so.then_some(words));
-        first.or_else(|| self.axes.misfit(plane))
+        Some(if is_page && (self.names_curves || is_drawn_otherwise) {
+            format!("a page shows the whole map; leave out {curve}, {over}, {lines} and {bare}")
+        } else if !is_picture && is_drawn_otherwise {
+            format!("{over}, {lines} and {bare} are for a picture, svg, png or pdf")
+        } else if self.lines && plane != Plane::ThicknessFriction {
+            format!("{lines} are drawn over thickness and friction; leave out {over}")
+        } else if is_picture && !self.lines && self.weights > 1 {
+            format!("a map shows one {weight}; {lines} shows the lines of both")
+        } else if self.lines && (self.bare || has_contours) {
+            format!("{lines} are drawn alone; leave out {bare}, {levels} and {friction}")
+        } else if self.bare && has_contours {
+            format!("a map that is {bare} has no {levels} or {friction}")
+        } else if is_picture && !crosses {
+            format!("over {axes} lines of a {} are drawn", plane.contour_name())
+        } else if self.asymmetric && (is_page || (is_picture && !is_over_opening)) {
+            format!("{asymmetric} is drawn with {over} opening-friction, as svg, png or pdf")
+        } else if self.has_marks && (!(is_picture || is_page) || self.lines) {
+            format!("for {mark} give a map as svg, png, pdf or html, without {lines}")
+        } else if has_axes && (!is_picture || self.lines) {
+            format!("units, ranges and a scale are for a map as svg, png or pdf, without {lines}")
+        } else {
+            return self.axes.misfit(plane);
+        })
     }
 }
 

@@ -4,6 +4,7 @@ use super::plane::{DEGREES, Plane, PlaneAxis, step};
 use crate::atlas::{Coordinate, LEAST_TOLERANCE, Place};
 use crate::number::shown;
 use crate::picture::Point;
+use crate::report::Format;
 
 /// Ranges of the axes: how a quantity is shown along an axis, and from where to where. What is not asked for
 /// is as usual.
@@ -54,8 +55,12 @@ impl Unit {
 }
 
 impl Axes {
-    /// The axes on which what asymmetric branches reach is seen: between the half openings where they begin and end.
-    pub fn of_asymmetric() -> Self {
+    /// The axes on which what asymmetric branches reach is seen, if no others are given: in a picture between the half
+    /// openings where they begin and end.
+    pub fn of_asymmetric(self, format: &Format) -> Self {
+        if self != Self::default() || !format.is_picture {
+            return self;
+        }
         let shown = |from, to| Shown { range: Some([from, to]), ..Shown::default() };
         Self { half_opening: shown(120.0, 145.0), friction: shown(38.0, 56.0), ..Self::default() }
     }

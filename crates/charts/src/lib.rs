@@ -69,7 +69,7 @@ pub use branch::{BranchArch, BranchArches};
 pub use branches::Branches;
 pub use canvas::{Axes, Shown, Unit};
 pub use drawing::{Drawing, View};
-pub use map::{Map, MapDifferences, MapPoint, map_summary};
+pub use map::{Map, MapDifferences, MapPoint};
 pub use mark::Mark;
 pub use marked::Marked;
 pub use plane::Plane;

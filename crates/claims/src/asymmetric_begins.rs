@@ -16,7 +16,7 @@ use crate::certify::{Undecided, between};
 use crate::number::{Angle, DoubleBall, Enclosure, Field, Real, Stumpff, Ternary};
 use crate::problem::Landmark;
 use crate::prover::halve::{halve, halves};
-use crate::prover::in_doubles::root_near;
+use crate::prover::in_doubles::root_of_many;
 use crate::prover::root::Form;
 use rug::Rational;
 use std::sync::OnceLock;
@@ -132,7 +132,7 @@ impl EdgeOfStates {
         let degrees = DoubleBall::from(&between(low, high));
         let half_opening = degrees.pi() * degrees / degrees.int(180);
         let equations = BeginEquations { edge: self, half_opening };
-        let root = root_near(&equations, start)?;
+        let root = root_of_many(&equations, start)?;
         let at = self.at(&equations.half_opening, &root);
         let at = at.ok_or_else(|| Undecided::new("the number of unknowns"))?;
         let motion = at.motion(self.mode);

@@ -123,6 +123,19 @@ fn kinds(d: &mut Derivation) -> Checked {
          y²)/(h² + y²) > -1. It is -phi where g is least: at the right springing, and at beta = v - s, s² = h - h², if h < 1; \
          as g(-s) >= v - phi, v < phi there and cos(v - s) > 0.",
     )?;
+    along_the_normal(d)?;
+    d.argue(
+        "The last is positive where both joints slide: alpha - beta is then the sum of two arcs of tangents, as g is the same \
+         at both. The haunch turns as the hinges at the extrados do together, and the springing's with the haunch gives 1 + \
+         eta/2 - (1 - eta/2) cos(alpha + b1) > 0. So b0 has a rate, or nothing has; and b1 then. Upwards only the springing \
+         of a horseshoe moves down: it slides. These three with neither the springing's hinge nor the inner slip, with one \
+         of them or with both are all motions; a motion with both is a sum of motions with one, as its five rates meet three \
+         equations.",
+    )
+}
+
+/// Parts of a motion along the normal of the right springing: what each of its joints adds.
+fn along_the_normal(d: &mut Derivation) -> Checked {
     let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());
     let against = |contact: Contact, joint: &Angle<Fraction>| {
         let [across, _, up] = row(contact, joint);
@@ -155,13 +168,5 @@ fn kinds(d: &mut Derivation) -> Checked {
         "and a joint beta with T = -mu N, sin(alpha - beta)",
         against(Contact::Outwards, &joint),
         sine,
-    )?;
-    d.argue(
-        "The last is positive where both joints slide: alpha - beta is then the sum of two arcs of tangents, as g is the same \
-         at both. The haunch turns as the hinges at the extrados do together, and the springing's with the haunch gives 1 + \
-         eta/2 - (1 - eta/2) cos(alpha + b1) > 0. So b0 has a rate, or nothing has; and b1 then. Upwards only the springing \
-         of a horseshoe moves down: it slides. These three with neither the springing's hinge nor the inner slip, with one \
-         of them or with both are all motions; a motion with both is a sum of motions with one, as its five rates meet three \
-         equations.",
     )
 }

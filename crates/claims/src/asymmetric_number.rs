@@ -68,19 +68,8 @@ fn one_touch(d: &mut Derivation) -> Checked {
     d.identity("d/d eta of 2 fac/(2 + eta)", bow.partial(Symbol::Thickness), expected)
 }
 
-fn number(d: &mut Derivation) -> Checked {
-    d.assume("0 < alpha < pi, 0 < eta <= 2, 0 <= mu < inf; v > 0, the right springing slides");
-    lemmas(d, [&KINDS, &ONE_THICKNESS])?;
-    one_touch(d)?;
-    d.argue(
-        "With h and v a hinge b0 exists from one thickness on, as c falls, and none with h >= 3/2, where c >= 1; the margins at \
-         b0 and -b1 can both be zero at one thickness only, where their sum grows. So h and v give eta, b0, b1 and p, whatever alpha and the friction are. The \
-         springing is on the extrados at one half opening alpha_U, and U is positive there if alpha < alpha_U. The slips of the \
-         three kinds are not negative if alpha >= alpha_Q, where the two hinges and the springing fit alone. The springing \
-         slides, h = (alpha - v) cot(alpha - phi), so that the joint v - s is not beyond its limit if alpha >= alpha_I, where \
-         (17) and (18) hold with alpha - v for alpha. A state has one of the three kinds just where alpha_I <= alpha, alpha_Q <= \
-         alpha and alpha <= alpha_U, one of them with equality.",
-    )?;
+/// Regions of the forces and turns along the vertical force, decided in balls for each weight.
+fn in_balls(d: &mut Derivation) -> Checked {
     for (directions, nowhere, near) in decided() {
         let weight = directions.weight;
         let [least, most] = RECTANGLE.inclinations.map(|n| f64::from(n) / 64.0);
@@ -112,6 +101,23 @@ fn number(d: &mut Derivation) -> Checked {
             proved.map(|()| Ternary::True)
         })?;
     }
+    Ok(())
+}
+
+fn number(d: &mut Derivation) -> Checked {
+    d.assume("0 < alpha < pi, 0 < eta <= 2, 0 <= mu < inf; v > 0, the right springing slides");
+    lemmas(d, [&KINDS, &ONE_THICKNESS])?;
+    one_touch(d)?;
+    d.argue(
+        "With h and v a hinge b0 exists from one thickness on, as c falls, and none with h >= 3/2, where c >= 1; the margins at \
+         b0 and -b1 can both be zero at one thickness only, where their sum grows. So h and v give eta, b0, b1 and p, whatever alpha and the friction are. The \
+         springing is on the extrados at one half opening alpha_U, and U is positive there if alpha < alpha_U. The slips of the \
+         three kinds are not negative if alpha >= alpha_Q, where the two hinges and the springing fit alone. The springing \
+         slides, h = (alpha - v) cot(alpha - phi), so that the joint v - s is not beyond its limit if alpha >= alpha_I, where \
+         (17) and (18) hold with alpha - v for alpha. A state has one of the three kinds just where alpha_I <= alpha, alpha_Q <= \
+         alpha and alpha <= alpha_U, one of them with equality.",
+    )?;
+    in_balls(d)?;
     d.argue(
         "In one arch h falls as v grows, so that alpha_I grows: it is at most alpha up to one v, and alpha_Q is so too, up to a \
          first v1. In each solution v <= v1, with equality in those that do not open the shoulder; where v < v1 U is zero. So \

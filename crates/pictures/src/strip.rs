@@ -70,6 +70,16 @@ impl Strip {
         Some(Self { alpha: sketch.half_opening(), half, times: across / thickness, across, blocks })
     }
 
+    /// Caption: by how much the thickness is enlarged, and the fall with it.
+    fn caption(&self) -> String {
+        let times = match self.times {
+            few if few < 1e4 => format!("{few:.0} times"),
+            many => format!("{} times and more", text::power_of_ten(many.log10().floor() as i64)),
+        };
+        let falls = if self.blocks.is_empty() { "" } else { " and fall" };
+        format!("unrolled; thickness{falls} enlarged {times}")
+    }
+
     pub(super) fn draw(&self, svg: &mut Svg, panel: &ModePanel, (left, top): Point, width: f64) {
         let [inner, outer] = [-0.5, 0.5];
         let from = if self.half { 0.0 } else { -self.alpha };
@@ -84,16 +94,8 @@ impl Strip {
             Path::through(points.into_iter().map(|[joint, offset]| at(joint, offset)))
         };
         svg.group("unrolled", |svg| {
-            let times = match self.times {
-                few if few < 1e4 => format!("{few:.0} times"),
-                many => {
-                    format!("{} times and more", text::power_of_ten(many.log10().floor() as i64))
-                }
-            };
-            let falls = if self.blocks.is_empty() { "" } else { " and fall" };
             let style = Type::new(Page::SMALL, INK).at(Anchor::Middle);
-            let words = format!("unrolled; thickness{falls} enlarged {times}");
-            svg.text(&words, (left + width / 2.0, top + TOP / 2.0), style);
+            svg.text(&self.caption(), (left + width / 2.0, top + TOP / 2.0), style);
             svg.fill(&frame, look::STONE);
             for (block, side) in
                 self.blocks.iter().flat_map(|block| sides.iter().map(move |s| (block, s)))

@@ -11,7 +11,9 @@ use super::words::reason;
 use crate::arch::{SelfWeight, Unknown};
 use crate::ask::notes;
 use crate::certify::state::find::{Finding, Question};
-use crate::certify::state::{Answer as Outcome, AssessmentDigits, Enough, Fall, Figure};
+use crate::certify::state::{
+    Answer as Outcome, AssessmentDigits, Enough, Fall, Figure, SomeDigits,
+};
 use crate::certify::{CertifiedLandmark, Constant, Error, Refused, Undecided};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
@@ -96,15 +98,10 @@ impl Extent<'_> {
     /// All that any format shows.
     pub const ALL: Self = Self { quantities: None, doubles: true };
 
-    /// Tells whether a value is shown: with a thrust goes the joint that limits it, the least thickness is the
-    /// thickness of a state, and what goes with the verdict stays.
-    fn shows(self, of: Quantity) -> bool {
-        let asks = |asked: &Quantity| {
-            let is_least = *asked == Quantity::LeastThickness && of == Quantity::Thickness;
-            *asked == of || asked.joint() == Some(of) || is_least
-        };
+    /// Tells whether a value is shown; what goes with the verdict is.
+    pub fn shows(self, of: Quantity) -> bool {
         of == Quantity::AsymmetricThickness
-            || self.quantities.is_none_or(|all| all.iter().any(asks))
+            || self.quantities.is_none_or(|all| all.iter().any(|asked| asked.tells(of)))
     }
 }
 
@@ -220,7 +217,8 @@ impl Answer {
 
     /// The state of an arch at its least thickness. The line tells arches apart.
     pub fn state(line: u64, arch: &Arch, found: &Result<Outcome, Error>) -> Self {
-        Self::state_to(Extent::ALL, line, arch, found)
+        let all = |found: Outcome| found.map(|digits| digits.only(|_| true));
+        Self::state_to(Extent::ALL, line, arch, found.clone().map(all))
     }
 
     /// The state of an arch at its least thickness, as far as it is shown.
@@ -228,21 +226,21 @@ impl Answer {
         extent: Extent,
         line: u64,
         arch: &Arch,
-        found: &Result<Outcome, Error>,
+        found: Result<Outcome<SomeDigits>, Error>,
     ) -> Self {
         let mut answer =
             Self::new(Subject::arch(line, (arch, None), extent.doubles), Status::Proved)
                 .with_note(Some(arch.friction()));
         match found {
-            Ok(Outcome::Stands(digits)) => {
+            Ok(Outcome::Stands(SomeDigits { mode, values })) => {
                 answer.can_stand = Some(true);
-                answer.modes = vec![digits.mode];
-                let shown = digits.figures().filter(|(of, _)| extent.shows(*of));
-                answer.values = shown.map(|(of, x)| (of, Value::figure(x))).collect();
+                answer.modes = vec![mode];
+                let shown = values.into_iter().filter(|(of, _)| extent.shows(*of));
+                answer.values = shown.map(|(of, x)| (of, Value::from(x))).collect();
             }
             Ok(Outcome::Falls { fall, enough }) => {
                 answer.can_stand = Some(false);
-                answer.status = Status::Falls(*fall);
+                answer.status = Status::Falls(fall);
                 if let Some(Enough { sliding_friction, friction, half_opening, .. }) =
                     enough.as_deref()
                 {
@@ -253,19 +251,20 @@ impl Answer {
                     answer.enough = [friction, half_opening].map(|x| x.as_ref().map(value));
                 }
             }
-            Err(error) => answer.status = error.into(),
+            Err(error) => answer.status = (&error).into(),
         }
         answer
     }
 
-    /// An arch of a given thickness.
+    /// An arch of a given thickness, with given values as doubles where they are shown.
     pub fn assessment(
+        extent: Extent,
         line: u64,
         (arch, thickness): (&Arch, &ExactNumber),
         found: &Result<AssessmentDigits, Refused>,
     ) -> Self {
         let mut answer =
-            Self::new(Subject::arch(line, (arch, Some(thickness)), true), Status::Proved)
+            Self::new(Subject::arch(line, (arch, Some(thickness)), extent.doubles), Status::Proved)
                 .with_note(Some(arch.friction()));
         match found {
             Ok(digits) => {
@@ -371,6 +370,14 @@ impl Answer {
     /// A query that could not be read, and why.
     pub fn refused(line: u64, error: String) -> Self {
         Self::new(Subject::Query { line }, Status::Refused(error))
+    }
+
+    /// Reason why a query could not be read, or is wrong.
+    pub fn fault(&self) -> Option<&str> {
+        match &self.status {
+            Status::Refused(error) => Some(error),
+            _ => None,
+        }
     }
 
     /// The value of a quantity, if there is one.

@@ -1,13 +1,13 @@
 //! Answers in every format: a file of code for each language, a table for a paper, rows as they come.
 
 use super::answers::Answers;
-use super::csv::Beside;
+use super::columns::Beside;
 use super::format::{Content, Format};
 use super::paper::PaperTable;
 use super::record::Record;
 use super::reported::{Reported, unsupported};
 use super::rows::Rows;
-use super::tabular::Tabular;
+use super::tabular::{Separated, Tabular};
 use super::{
     c, csv, fortran, json, julia, latex, matlab, parquet, plain, python, rust, table, toml,
 };
@@ -16,8 +16,8 @@ use std::io;
 /// Opens a file of arches that come one after the other; a table has columns beside what is asked and told.
 pub fn open_rows(answers: Answers, format: &Format, beside: Beside) -> io::Result<Box<dyn Rows>> {
     match format.name {
-        "csv" => csv::rows(answers, beside, Tabular::csv),
-        "csv2" => csv::rows(answers, beside, Tabular::csv_with_commas),
+        "csv" => csv::rows(answers, beside, Separated::Comma),
+        "csv2" => csv::rows(answers, beside, Separated::Semicolon),
         "latex" => csv::rows_at_once(answers, beside, PaperTable::latex),
         "markdown" => csv::rows_at_once(answers, beside, PaperTable::markdown),
         "jsonl" => json::lines(answers),

@@ -114,6 +114,11 @@ impl Answers {
         matches!(self.scope, Scope::Arch | Scope::Arches)
     }
 
+    /// Tells whether there is a row for each of many arches.
+    pub(super) fn are_many(&self) -> bool {
+        matches!(self.scope, Scope::Arches | Scope::Mixed)
+    }
+
     /// Tells whether the arches are measured.
     pub(super) fn are_measured(&self) -> bool {
         self.quantities.iter().any(|quantity| quantity.is_measured())

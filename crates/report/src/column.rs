@@ -1,12 +1,14 @@
 //! Columns of rows that are no fields: each finds its cells, which CSV, JSON and Parquet write alike.
 
 use serde_json::Value as Json;
-use std::fmt::Display;
+use std::fmt::{Display, Write};
 
 /// Way to find the cells of a column; each may be missing.
 pub enum Column<R> {
     /// A text.
     Text(fn(&R) -> Option<&str>),
+    /// A text that is made of several.
+    Made(fn(&R) -> Option<String>),
     /// A value, written as it is shown.
     Shown(fn(&R) -> Option<&dyn Display>),
     /// A double.
@@ -23,14 +25,22 @@ pub type NamedColumn<R> = (&'static str, Column<R>);
 impl<R> Column<R> {
     /// The cell of a row, empty where there is nothing.
     pub fn text(&self, row: &R) -> String {
-        let text = match self {
-            Self::Text(cell) => cell(row).map(str::to_owned),
-            Self::Shown(cell) => cell(row).map(ToString::to_string),
-            Self::Double(cell) => cell(row).map(|x| format!("{x:?}")),
-            Self::Integer(cell) => cell(row).map(|x| x.to_string()),
-            Self::Truth(cell) => cell(row).map(|x| x.to_string()),
+        let mut text = String::new();
+        self.write(row, &mut text);
+        text
+    }
+
+    /// Writes the cell of a row behind a text.
+    pub fn write(&self, row: &R, text: &mut String) {
+        // A text takes everything.
+        let _ = match self {
+            Self::Text(cell) => cell(row).map_or(Ok(()), |cell| text.write_str(cell)),
+            Self::Made(cell) => cell(row).map_or(Ok(()), |cell| text.write_str(&cell)),
+            Self::Shown(cell) => cell(row).map_or(Ok(()), |cell| write!(text, "{cell}")),
+            Self::Double(cell) => cell(row).map_or(Ok(()), |x| write!(text, "{x:?}")),
+            Self::Integer(cell) => cell(row).map_or(Ok(()), |x| write!(text, "{x}")),
+            Self::Truth(cell) => cell(row).map_or(Ok(()), |x| write!(text, "{x}")),
         };
-        text.unwrap_or_default()
     }
 
     /// The field of a row; an infinite number is the text `inf`.
@@ -38,6 +48,7 @@ impl<R> Column<R> {
         let number = |x: f64| if x.is_finite() { Json::from(x) } else { "inf".into() };
         match self {
             Self::Text(cell) => cell(row).into(),
+            Self::Made(cell) => cell(row).into(),
             Self::Shown(cell) => cell(row).map(ToString::to_string).into(),
             Self::Double(cell) => cell(row).map_or(Json::Null, number),
             Self::Integer(cell) => cell(row).into(),

@@ -2,11 +2,17 @@
 
 use super::answer::Answer;
 use super::answers::Answers;
+use super::column::Column::{self, Double, Integer, Made, Shown, Text, Truth};
+use super::column::NamedColumn;
 use super::kept::Kept;
 use super::record::{NOTE, Record};
 use super::subject::Subject;
+use super::value::Value;
+use super::words::hexadecimal;
 use crate::problem::Quantity;
 use crate::problem::measures::Circle;
+use std::borrow::Cow;
+use std::fmt::Display;
 
 /// Question that was asked of an arch, and so which fields it has.
 #[derive(Clone, Copy, Debug)]
@@ -28,47 +34,204 @@ impl Asked {
     pub(super) fn in_table(report: &Answers) -> Self {
         Self { state: report.have_states(), assessment: report.have_assessments() }
     }
+
+    /// Tells whether who asks this is told what a column has.
+    fn has(self, name: &str) -> bool {
+        match name {
+            "thickness" | "thickness_double" | "stands" => self.assessment,
+            "can_stand" | "mode" => self.state,
+            _ => true,
+        }
+    }
+}
+
+/// An answer in a row, and the quantity of a column where that has one.
+pub(super) struct At<'a> {
+    answer: &'a Answer,
+    quantity: Option<Quantity>,
+}
+
+/// A column of a table of arches: its name, its quantity, and how it finds its cells.
+pub(super) struct TableColumn<'a> {
+    name: Cow<'static, str>,
+    quantity: Option<Quantity>,
+    cell: Column<At<'a>>,
 }
 
 /// The arch as it was given.
-pub(super) fn given(answer: &Answer, asked: Asked) -> Record {
-    let mut fields = Record::with_room();
-    let [alpha, mu, eta] = answer.subject.given();
-    fields.add("weight", answer.subject.weight().map(|weight| weight.name()));
-    fields.add("half_opening", alpha);
-    fields.add("friction", mu);
-    if asked.assessment {
-        fields.add("thickness", eta);
-    }
-    fields
+pub(super) const fn given<'a>() -> [NamedColumn<At<'a>>; 4] {
+    [
+        ("weight", Text(|at| Some(at.answer.subject.weight()?.name()))),
+        ("half_opening", Text(|at| at.answer.subject.given()[0])),
+        ("friction", Text(|at| at.answer.subject.given()[1])),
+        ("thickness", Text(|at| at.answer.subject.given()[2])),
+    ]
+}
+
+/// The circle at which an arch is measured.
+pub(super) const fn circle<'a>() -> [NamedColumn<At<'a>>; 1] {
+    [("measured_at", Text(|at| at.answer.measured_at.map(Circle::name)))]
 }
 
 /// Given values as numbers; what no double holds is nothing.
-pub(super) fn doubles(answer: &Answer, asked: Asked) -> Record {
-    let (found, mut fields) = (answer.subject.doubles(), Record::default());
-    fields.add_double("half_opening_rad", found.half_opening_rad);
-    fields.add_double("half_opening_deg", found.half_opening_deg);
-    fields.add_double("friction_double", found.friction);
-    if asked.assessment {
-        fields.add_double("thickness_double", found.thickness);
-    }
-    fields
+pub(super) const fn doubles<'a>() -> [NamedColumn<At<'a>>; 4] {
+    [
+        ("half_opening_rad", Double(|at| at.answer.subject.doubles().half_opening_rad)),
+        ("half_opening_deg", Double(|at| at.answer.subject.doubles().half_opening_deg)),
+        ("friction_double", Double(|at| at.answer.subject.doubles().friction)),
+        ("thickness_double", Double(|at| at.answer.subject.doubles().thickness)),
+    ]
 }
 
 /// The verdict and the mode.
-pub(super) fn verdict(answer: &Answer, asked: Asked) -> Record {
-    let mut fields = Record::default();
-    fields.add("verdict", answer.status.name());
-    if asked.state {
-        fields.add("can_stand", answer.can_stand);
+pub(super) const fn verdict<'a>() -> [NamedColumn<At<'a>>; 4] {
+    [
+        ("verdict", Text(|at| Some(at.answer.status.name()).filter(|_| !at.is_query()))),
+        ("can_stand", Truth(|at| at.answer.can_stand)),
+        ("stands", Truth(|at| at.answer.stands)),
+        ("mode", Text(|at| Some(at.answer.modes.first()?.label()))),
+    ]
+}
+
+/// The reason why something stays open, and what may have been meant otherwise.
+const fn reasons<'a>() -> [NamedColumn<At<'a>>; 2] {
+    [
+        ("reason", Made(|at| Some(at.answer.reason().filter(|_| !at.is_query())?.into_owned()))),
+        (NOTE, Text(|at| at.answer.note.as_deref())),
+    ]
+}
+
+/// The line of a query, and why it could not be read.
+const fn query<'a>() -> [NamedColumn<At<'a>>; 2] {
+    [("line", Integer(|at| at.answer.subject.line())), ("error", Text(|at| at.answer.fault()))]
+}
+
+impl At<'_> {
+    fn value(&self) -> Option<&Value> {
+        self.answer.value(self.quantity?)
     }
-    if asked.assessment {
-        fields.add("stands", answer.stands);
+
+    /// The value of the quantity, or a word where it stays open.
+    fn shown(&self) -> Option<&dyn Display> {
+        match self.answer.why_open(self.quantity?) {
+            Some(_) => Some(&"undecided"),
+            None => Some(self.value()?.texts()[0]),
+        }
     }
-    if asked.state {
-        fields.add("mode", answer.modes.first().map(|mode| mode.label()));
+
+    /// Tells whether the answer is to a query that could not be read, of which only that is told.
+    fn is_query(&self) -> bool {
+        matches!(self.answer.subject, Subject::Query { .. })
     }
+}
+
+/// The fields of an answer in some columns.
+pub(super) fn fields<'a, const N: usize>(
+    columns: [NamedColumn<At<'a>>; N],
+    answer: &'a Answer,
+    asked: Asked,
+) -> Record {
+    let (at, mut fields) = (At { answer, quantity: None }, Record::default());
+    let columns = columns.into_iter().filter(|(name, _)| asked.has(name));
+    columns.for_each(|(name, column)| fields.add_found(name, &column, &at));
     fields
+}
+
+/// Columns of numbers that a table of arches has beside what is asked and what is told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Beside {
+    /// The nearest doubles of what is given and of each value.
+    pub doubles: bool,
+    /// The nearest doubles of each value in hexadecimal.
+    pub hex: bool,
+}
+
+impl Beside {
+    /// All that there are.
+    pub const ALL: Self = Self { doubles: true, hex: true };
+
+    /// Adds the columns of a name; answers whether it is one.
+    pub fn add(&mut self, name: &str) -> bool {
+        match name {
+            "doubles" => self.doubles = true,
+            "hex" => self.hex = true,
+            "all" => *self = Self::ALL,
+            _ => return false,
+        }
+        true
+    }
+}
+
+impl<'a> TableColumn<'a> {
+    /// The columns of a table for a person.
+    pub(super) fn told(report: &Answers) -> Vec<Self> {
+        let asked = Asked::in_table(report);
+        let circle = report.are_measured().then(circle).into_iter().flatten();
+        let named = given().into_iter().chain(circle).chain(verdict());
+        let mut all: Vec<Self> =
+            named.filter(|(name, _)| asked.has(name)).map(Self::plain).collect();
+        let told = [Quantity::AsymmetricThickness].into_iter().chain(report.quantities.clone());
+        all.extend(told.map(|of| Self::of(of, "", Shown(At::shown))));
+        if report.quantities.iter().any(|quantity| quantity.joint().is_some()) {
+            let limits = |at: &At| {
+                let limits = at.answer.values.iter().filter_map(|(_, value)| value.limited_by);
+                Some(limits.collect::<Vec<_>>().join("; "))
+            };
+            all.push(Self::plain(("limited_by", Made(limits))));
+        }
+        all.extend(reasons().map(Self::plain));
+        all
+    }
+
+    /// The columns of a table for a program; `with_lines` if a row has the line of its query, and its error.
+    pub(super) fn all(report: &Answers, with_lines: bool, beside: Beside) -> Vec<Self> {
+        let mut all = Self::told(report);
+        if with_lines {
+            all.extend(query().map(Self::plain));
+        }
+        if beside.doubles {
+            let asked = Asked::in_table(report);
+            let given = doubles().into_iter().filter(|(name, _)| asked.has(name));
+            all.extend(given.map(Self::plain));
+        }
+        if report.are_many() && (with_lines || report.have_doubles()) {
+            for &of in &report.quantities {
+                let double = Self::of(of, "_double", Double(|at| Some(at.value()?.double)));
+                let hex = |at: &At| Some(hexadecimal(at.value()?.double));
+                all.extend(beside.doubles.then_some(double));
+                all.extend(beside.hex.then(|| Self::of(of, "_hex", Made(hex))));
+            }
+        }
+        all
+    }
+
+    fn plain((name, cell): NamedColumn<At<'a>>) -> Self {
+        Self { name: name.into(), quantity: None, cell }
+    }
+
+    fn of(quantity: Quantity, end: &str, cell: Column<At<'a>>) -> Self {
+        let name = match end {
+            "" => quantity.name().into(),
+            end => format!("{}{end}", quantity.name()).into(),
+        };
+        Self { name, quantity: Some(quantity), cell }
+    }
+
+    /// The names of some columns.
+    pub(super) fn names(columns: &[Self]) -> Vec<String> {
+        columns.iter().map(|column| column.name.to_string()).collect()
+    }
+
+    /// Writes the cell of an answer behind a text.
+    pub(super) fn write(&self, answer: &'a Answer, text: &mut String) {
+        self.cell.write(&At { answer, quantity: self.quantity }, text);
+    }
+
+    /// The cells of an answer.
+    pub(super) fn texts(columns: &[Self], answer: &'a Answer) -> impl Iterator<Item = String> {
+        let text = move |column: &Self| column.cell.text(&At { answer, quantity: column.quantity });
+        columns.iter().map(text)
+    }
 }
 
 /// The names of the columns that are handed on: one that the table has of its own is another there.
@@ -98,42 +261,4 @@ pub(super) fn kept_fields(row: &[(String, Kept)]) -> Record {
     let mut kept = Record::default();
     row.iter().for_each(|(name, value)| kept.keep(name, value));
     kept
-}
-
-/// The circle at which arches are measured, if they are.
-pub(super) fn circle(report: &Answers, answer: &Answer) -> Record {
-    let mut fields = Record::default();
-    if report.are_measured() {
-        fields.add("measured_at", answer.measured_at.map(Circle::name));
-    }
-    fields
-}
-
-/// The cells of an arch in a table, all empty for a query that could not be read.
-pub(super) fn row(report: &Answers, answer: &Answer) -> Record {
-    let asked = Asked::in_table(report);
-    let mut fields = given(answer, asked);
-    fields.append(circle(report, answer));
-    fields.append(verdict(answer, asked));
-    let asymmetric = answer.value(Quantity::AsymmetricThickness).map(|value| value.text());
-    fields.add(Quantity::AsymmetricThickness.name(), asymmetric);
-    for &quantity in &report.quantities {
-        let open = answer.why_open(quantity).map(|_| "undecided".to_owned());
-        fields.add(quantity.name(), open.or(answer.value(quantity).map(|value| value.text())));
-    }
-    if report.quantities.iter().any(|quantity| quantity.joint().is_some()) {
-        let limits: Vec<&str> = answer.values.iter().filter_map(|(_, x)| x.limited_by).collect();
-        fields.add("limited_by", limits.join("; "));
-    }
-    fields.add("reason", answer.reason());
-    fields.add(NOTE, answer.note.as_deref());
-    if let Subject::Query { .. } = answer.subject {
-        fields.clear();
-    }
-    fields
-}
-
-/// The names of the columns of a table, each row of which is made so.
-pub(super) fn header(row: impl Fn(&Answer) -> Record) -> Vec<String> {
-    row(&Answer::refused(0, String::new())).names().map(str::to_owned).collect()
 }

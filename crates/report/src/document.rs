@@ -8,19 +8,16 @@ use super::answers::{Answers, TOOL};
 use super::columns::{self, Asked};
 use super::record::Record;
 use super::subject::Subject;
-use super::value::Value;
+use super::value_row::ValueRow;
 use super::words::hexadecimal;
-use crate::problem::Quantity;
 
 /// Document of landmarks or arches.
 pub(super) fn document(report: &Answers) -> Record {
     let mut file = Record::of(report.schema());
     file.add("tool", TOOL);
     file.add("digits", report.digits);
-    let values = |answer: &Answer| -> Vec<Record> {
-        answer.values.iter().map(|(of, value)| constant(&answer.subject, *of, value)).collect()
-    };
-    file.add_list("constants", report.list.iter().flat_map(values));
+    let values = report.list.iter().flat_map(ValueRow::all).filter(|row| row.value.is_some());
+    file.add_list("constants", values.map(|row| constant(&row)));
     file.add_list("proofs", report.list.iter().map(proof));
     file
 }
@@ -40,19 +37,17 @@ fn owner(subject: &Subject) -> Record {
 
 /// A proved value. `double` is the nearest to the true value, the doubles after it its bounds and a bound
 /// of its error.
-fn constant(subject: &Subject, quantity: Quantity, value: &Value) -> Record {
-    let mut fields = owner(subject);
-    fields.add("quantity", quantity.name());
-    fields.append(Record::named(
-        "value lower upper",
-        value.texts().map(|text| text.to_string().into()),
-    ));
-    fields.add("exact", value.exact.as_deref());
-    fields.add_double("double", value.double);
-    fields.add("hex", value.double.is_finite().then(|| hexadecimal(value.double)));
-    fields.add_double("double_lower", value.binary.lower);
-    fields.add_double("double_upper", value.binary.upper);
-    fields.add_double("double_error", value.binary.error);
+fn constant(row: &ValueRow) -> Record {
+    let mut fields = owner(&row.answer.subject);
+    let add = |names: &str, fields: &mut Record| {
+        for (name, column) in ValueRow::named(names) {
+            fields.add_found(name, &column, row);
+        }
+    };
+    add("quantity value lower upper exact double", &mut fields);
+    let double = row.value.map(|value| value.double).filter(|double| double.is_finite());
+    fields.add("hex", double.map(hexadecimal));
+    add("double_lower double_upper double_error", &mut fields);
     fields
 }
 
@@ -62,7 +57,7 @@ fn proof(answer: &Answer) -> Record {
         let asked = Asked { state: true, assessment: true };
         let given = answer.subject.given().map(Into::into);
         fields.append(Record::named("half_opening friction thickness", given));
-        fields.append(columns::doubles(answer, asked));
+        fields.append(columns::fields(columns::doubles(), answer, asked));
         fields.add("can_stand", answer.can_stand);
         fields.add("stands", answer.stands);
         fields.add("mode", answer.modes.first().map(|mode| mode.label()));

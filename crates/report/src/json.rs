@@ -95,10 +95,12 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Record {
     if let Some(asked) = &answer.asked {
         fields.add_record("asked", Some(asked.fields()));
     }
-    fields.append(columns::given(answer, asked));
-    fields.append(columns::circle(report, answer));
-    fields.append(columns::doubles(answer, asked));
-    fields.append(columns::verdict(answer, asked));
+    fields.append(columns::fields(columns::given(), answer, asked));
+    if report.are_measured() {
+        fields.append(columns::fields(columns::circle(), answer, asked));
+    }
+    fields.append(columns::fields(columns::doubles(), answer, asked));
+    fields.append(columns::fields(columns::verdict(), answer, asked));
     let figure = |value: Option<&Value>| Some(figure(value?, report.have_doubles()));
     let asymmetric = Quantity::AsymmetricThickness;
     fields.add_record(asymmetric.name(), figure(answer.value(asymmetric)));

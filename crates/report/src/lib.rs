@@ -79,6 +79,7 @@ mod tilt_record;
 mod toml;
 mod understood;
 mod value;
+mod value_row;
 mod voussoirs;
 pub mod words;
 
@@ -89,8 +90,8 @@ pub use audit::Audit;
 pub use by_value::ByValue;
 pub use claimed::{Claims, Index};
 pub use column::{Column, NamedColumn};
+pub use columns::Beside;
 pub use complementarity::{ComplementarityArch, SolutionsFound};
-pub use csv::Beside;
 pub use equation::EvaluatedEquation;
 pub use format::{Content, Format};
 pub use given::GivenDoubles;

@@ -5,14 +5,13 @@
 
 use super::answer::Answer;
 use super::answers::{Answers, Scope};
-use super::column::Column::{Double, Integer, Shown, Text, Truth};
+use super::column::Column::{Double, Integer, Made, Shown, Text, Truth};
 use super::column::NamedColumn;
-use super::columns::{kept_cell, kept_names};
+use super::columns::kept_names;
 use super::names::head;
 use super::parquet_file::{ParquetColumn, ParquetFile, ParquetTable, Texts};
 use super::rows::Rows;
-use super::value::Value;
-use crate::problem::Quantity;
+use super::value_row::ValueRow;
 use std::io;
 use std::mem;
 
@@ -62,13 +61,14 @@ fn group<R>(
 ) -> io::Result<Vec<u8>> {
     let texts = |(_, column): &NamedColumn<R>| match column {
         Text(cell) => rows.iter().map(cell).collect(),
+        Made(cell) => rows.iter().map(cell).collect(),
         Shown(cell) => rows.iter().map(cell).collect(),
         Double(_) | Integer(_) | Truth(_) => Texts::default(),
     };
     let texts: Vec<Texts> = columns.iter().map(texts).collect();
     let column = |((name, column), texts): (&NamedColumn<R>, _)| {
         let column = match *column {
-            Text(_) | Shown(_) => ParquetColumn::text(Texts::cells(texts)),
+            Text(_) | Made(_) | Shown(_) => ParquetColumn::text(Texts::cells(texts)),
             Double(cell) => ParquetColumn::double(move |row| cell(&rows[row])),
             Integer(cell) => ParquetColumn::whole(move |row| cell(&rows[row])),
             Truth(cell) => ParquetColumn::truth(move |row| cell(&rows[row])),
@@ -128,66 +128,3 @@ impl Rows for ParquetRows {
 /// Columns of values: hardly any comes again.
 const VALUES: [&str; 7] =
     ["value", "lower", "upper", "double", "double_lower", "double_upper", "double_error"];
-
-/// A value and its answer.
-struct ValueRow<'a> {
-    answer: &'a Answer,
-    quantity: Option<Quantity>,
-    value: Option<&'a Value>,
-}
-
-impl<'a> ValueRow<'a> {
-    /// The columns. `double` is the nearest to the true value, the doubles after it bound that value and its
-    /// error; `half_opening`, `friction` and `thickness` are the texts of the query in `line`, with the doubles
-    /// nearest to them.
-    const COLUMNS: [NamedColumn<Self>; 26] = [
-        ("line", Integer(|row| row.answer.subject.line())),
-        ("weight", Text(|row| row.answer.subject.weight().map(|weight| weight.name()))),
-        ("landmark", Text(|row| row.answer.subject.landmark().map(|landmark| landmark.symbol()))),
-        ("half_opening", Text(|row| row.answer.subject.given()[0])),
-        ("half_opening_rad", Double(|row| row.answer.subject.doubles().half_opening_rad)),
-        ("half_opening_deg", Double(|row| row.answer.subject.doubles().half_opening_deg)),
-        ("friction", Text(|row| row.answer.subject.given()[1])),
-        ("friction_double", Double(|row| row.answer.subject.doubles().friction)),
-        ("thickness", Text(|row| row.answer.subject.given()[2])),
-        ("thickness_double", Double(|row| row.answer.subject.doubles().thickness)),
-        ("mode", Text(|row| row.mode())),
-        ("can_stand", Truth(|row| row.answer.can_stand)),
-        ("stands", Truth(|row| row.answer.stands)),
-        ("status", Text(|row| Some(row.answer.status.name()))),
-        ("reason", Text(|row| row.answer.status.reason())),
-        ("note", Text(|row| row.answer.note.as_deref())),
-        ("quantity", Text(|row| row.quantity.map(Quantity::name))),
-        ("value", Shown(|row| Some(row.value?.texts()[0]))),
-        ("lower", Shown(|row| Some(row.value?.texts()[1]))),
-        ("upper", Shown(|row| Some(row.value?.texts()[2]))),
-        ("exact", Text(|row| row.value?.exact.as_deref())),
-        ("double", Double(|row| row.value.map(|value| value.double))),
-        ("double_lower", Double(|row| row.value.map(|value| value.binary.lower))),
-        ("double_upper", Double(|row| row.value.map(|value| value.binary.upper))),
-        ("double_error", Double(|row| row.value.map(|value| value.binary.error))),
-        ("certificate_sha256", Text(|row| Some(&row.answer.certificate.as_ref().ok()?.sha256))),
-    ];
-
-    fn all(answer: &'a Answer) -> Vec<Self> {
-        if answer.values.is_empty() {
-            return vec![Self { answer, quantity: None, value: None }];
-        }
-        let row = |(quantity, value): &'a (Quantity, Value)| Self {
-            answer,
-            quantity: Some(*quantity),
-            value: Some(value),
-        };
-        answer.values.iter().map(row).collect()
-    }
-
-    fn kept(&self, name: &str) -> &'a str {
-        kept_cell(&self.answer.kept, name)
-    }
-
-    /// The mode of an arch; at a landmark several meet.
-    fn mode(&self) -> Option<&'static str> {
-        let mode = self.answer.modes.first().map(|mode| mode.label());
-        mode.filter(|_| self.answer.subject.landmark().is_none())
-    }
-}

@@ -1,6 +1,7 @@
 //! A record: what a result says, in its order. Named cells are an object in JSON and cells of a row in a table; lines
 //! and the cells that are shown are what a person reads.
 
+use super::column::Column;
 use super::kept::Kept;
 use crate::certify::state::Figure;
 use crate::number::Rounded;
@@ -53,11 +54,6 @@ impl Record {
         Self::named("schema", [schema.into()])
     }
 
-    /// A record with room for the cells of a row.
-    pub fn with_room() -> Self {
-        Self(Vec::with_capacity(24))
-    }
-
     /// Adds a line for a person.
     pub fn say(&mut self, line: impl Into<String>) {
         self.0.push(Part::Line(line.into()));
@@ -95,6 +91,14 @@ impl Record {
         value: impl Into<Option<f64>>,
     ) {
         self.put(name, value.into().map_or(Cell::Value(None), Cell::Double));
+    }
+
+    /// Adds what a column finds in a row.
+    pub(crate) fn add_found<R>(&mut self, name: &'static str, column: &Column<R>, row: &R) {
+        match column {
+            Column::Double(cell) => self.add_double(name, cell(row)),
+            other => self.add(name, other.json(row)),
+        }
     }
 
     /// Adds an object, or `null`.
@@ -162,15 +166,6 @@ impl Record {
     pub fn note(&mut self, note: Option<&str>) {
         if let Some(note) = note {
             self.add(NOTE, note);
-        }
-    }
-
-    /// Takes away all values, not their names.
-    pub fn clear(&mut self) {
-        for part in &mut self.0 {
-            if let Part::Cell { value, .. } = part {
-                *value = Cell::Value(None);
-            }
         }
     }
 

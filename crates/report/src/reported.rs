@@ -4,7 +4,7 @@ use super::format::{Content, Format};
 use super::json;
 use super::paper::PaperTable;
 use super::record::Record;
-use super::tabular::Tabular;
+use super::tabular::{Separated, Tabular};
 use crate::picture::Print;
 #[cfg(feature = "plots")]
 use crate::picture::{pdf::render as pdf, png::render as png};
@@ -29,6 +29,11 @@ pub trait Reported {
     /// Picture of the result, as SVG; an invalid input if it cannot be printed so.
     fn picture(&self, _: &Print) -> io::Result<String> {
         unsupported()
+    }
+
+    /// A line that says what is in a file of it, if that needs one.
+    fn summary(&self) -> Option<String> {
+        None
     }
 
     /// Writes it in a way that no other result has, if it has one for a format.
@@ -63,8 +68,8 @@ pub trait Reported {
                 [one] => json::write(one, out),
                 all => json::write(&all, out),
             },
-            "csv" => self.tabular().csv(out),
-            "csv2" => self.tabular().csv_with_commas(out),
+            "csv" => self.tabular().write(Separated::Comma, out),
+            "csv2" => self.tabular().write(Separated::Semicolon, out),
             "latex" => PaperTable::from(&self.tabular()).latex(out),
             "markdown" => PaperTable::from(&self.tabular()).markdown(out),
             _ if format.is_picture => out.write_all(&drawn(self.picture(print)?, (format, print))?),

@@ -2,7 +2,7 @@
 
 use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
-use super::columns;
+use super::columns::TableColumn;
 use super::find;
 use super::paper::in_degrees_too;
 use super::sizes;
@@ -274,14 +274,16 @@ fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
         writeln!(out, "{}", asked.in_words())?;
     }
     writeln!(out)?;
-    let header = columns::header(|answer| columns::row(report, answer));
-    let rows = report.list.iter().map(|answer| columns::row(report, answer).texts().collect());
-    let Tabular { header, rows } = Tabular { header, rows: rows.collect() }.without_empty();
+    let columns = TableColumn::told(report);
+    let rows = report.list.iter().map(|answer| TableColumn::texts(&columns, answer).collect());
+    let table = Tabular { header: TableColumn::names(&columns), rows: rows.collect() };
+    let Tabular { header, rows } = table.without_empty();
     aligned(&[vec![header], rows].concat()).try_for_each(|line| writeln!(out, "{line}"))
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::answer::Extent;
     use super::*;
     use crate::certify::state::{Inquiry, Wanted};
     use crate::certify::{Error, Undecided};
@@ -327,7 +329,7 @@ mod tests {
             let mut found =
                 Inquiry::new(&arch, 5, false).assess(&eta, 5, Wanted::Everything).unwrap();
             found.required_friction = Err(Undecided::new("the rounding"));
-            let answer = Answer::assessment(1, (&arch, &eta), &Ok(found));
+            let answer = Answer::assessment(Extent::ALL, 1, (&arch, &eta), &Ok(found));
             let table = told(
                 answer.measured(Circle::Intrados, Err(open())),
                 &[&assessed, &[Quantity::Radius]],

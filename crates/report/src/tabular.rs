@@ -4,7 +4,7 @@ use super::column::NamedColumn;
 use super::record::{NOTE, Record};
 use super::words::printable;
 use std::borrow::Cow;
-use std::io;
+use std::{io, iter};
 
 /// Rows of cells below the names of their columns.
 #[derive(Debug, Default)]
@@ -55,33 +55,65 @@ impl Tabular {
         Self { header: of(self.header), rows: self.rows.into_iter().map(of).collect() }
     }
 
-    /// Writes CSV.
-    pub(super) fn csv(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        self.separated(b',', |cell| cell.into(), out)
+    /// Writes the table.
+    pub(super) fn write(&self, separated: Separated, out: &mut dyn io::Write) -> io::Result<()> {
+        out.write_all(&separated.lines(|lines| {
+            iter::once(&self.header).chain(&self.rows).try_for_each(|row| lines.all(row))
+        })?)
     }
+}
 
-    /// Writes CSV for a spreadsheet that has commas in its numbers: semicolons stand between the cells.
-    pub(super) fn csv_with_commas(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        self.separated(b';', with_comma, out)
-    }
+/// Sign between the cells of a line.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Separated {
+    /// A comma: for programs.
+    Comma,
+    /// A semicolon: for a spreadsheet that has commas in its numbers.
+    Semicolon,
+}
 
-    fn separated(
-        &self,
-        separator: u8,
-        cell: fn(&str) -> Cow<'_, str>,
-        out: &mut dyn io::Write,
-    ) -> io::Result<()> {
-        let mut csv = csv::WriterBuilder::new().delimiter(separator).from_writer(out);
-        let mut records = std::iter::once(&self.header).chain(&self.rows);
-        let escape = |c: char| c.escape_debug().to_string();
-        let mut written = |record: &Vec<String>| {
-            for text in record {
-                csv.write_field(printable(&cell(text), escape).as_bytes())?;
-            }
-            csv.write_record(None::<&[u8]>)
+/// Lines of cells.
+pub(super) struct Lines {
+    csv: csv::Writer<Vec<u8>>,
+    separated: Separated,
+}
+
+impl Separated {
+    /// The bytes of some lines.
+    pub(super) fn lines(
+        self,
+        write: impl FnOnce(&mut Lines) -> csv::Result<()>,
+    ) -> io::Result<Vec<u8>> {
+        let separator = match self {
+            Self::Comma => b',',
+            Self::Semicolon => b';',
         };
-        records.try_for_each(&mut written).map_err(io_error)?;
-        csv.flush()
+        let csv = csv::WriterBuilder::new().delimiter(separator).from_writer(Vec::new());
+        let mut lines = Lines { csv, separated: self };
+        write(&mut lines).map_err(io_error)?;
+        lines.csv.into_inner().map_err(|error| error.into_error())
+    }
+}
+
+impl Lines {
+    /// Adds a cell.
+    pub(super) fn cell(&mut self, text: &str) -> csv::Result<()> {
+        let text = match self.separated {
+            Separated::Comma => text.into(),
+            Separated::Semicolon => with_comma(text),
+        };
+        self.csv.write_field(printable(&text, |c| c.escape_debug().to_string()).as_bytes())
+    }
+
+    /// Ends a line.
+    pub(super) fn end(&mut self) -> csv::Result<()> {
+        self.csv.write_record(None::<&[u8]>)
+    }
+
+    /// Adds a line.
+    pub(super) fn all(&mut self, cells: impl IntoIterator<Item: AsRef<str>>) -> csv::Result<()> {
+        cells.into_iter().try_for_each(|cell| self.cell(cell.as_ref()))?;
+        self.end()
     }
 }
 
@@ -124,15 +156,12 @@ mod tests {
         let row = [("of", "[r,r,s]"), ("x", "-1.5e-9"), ("arch", "pi/2"), ("n", "0.1")];
         let record: Record = row.into_iter().map(|(name, text)| (name, text.into())).collect();
         let table = Tabular::of("of x arch n none", [record]);
-        let written = |write: fn(&Tabular, &mut dyn io::Write) -> io::Result<()>| {
+        let written = |separated: Separated| {
             let mut out = Vec::new();
-            write(&table, &mut out).unwrap();
+            table.write(separated, &mut out).unwrap();
             String::from_utf8(out).unwrap()
         };
-        assert_eq!(
-            written(Tabular::csv_with_commas),
-            "of;x;arch;n;none\n[r,r,s];-1,5e-9;pi/2;0,1;\n"
-        );
-        assert_eq!(written(Tabular::csv), "of,x,arch,n,none\n\"[r,r,s]\",-1.5e-9,pi/2,0.1,\n");
+        assert_eq!(written(Separated::Semicolon), "of;x;arch;n;none\n[r,r,s];-1,5e-9;pi/2;0,1;\n");
+        assert_eq!(written(Separated::Comma), "of,x,arch,n,none\n\"[r,r,s]\",-1.5e-9,pi/2,0.1,\n");
     }
 }

@@ -68,10 +68,15 @@ impl Value {
 
     /// A figure, or infinity where no number is enough.
     pub fn figure(figure: Option<&Figure>) -> Self {
-        let decimal = figure.map(|figure| figure.decimal.clone());
-        let (double, binary, exact) = match figure {
-            Some(figure) => (figure.double, figure.binary.clone(), None),
-            None => (f64::INFINITY, Binary::infinite(), Some("inf".into())),
+        figure.cloned().into()
+    }
+}
+
+impl From<Option<Figure>> for Value {
+    fn from(figure: Option<Figure>) -> Self {
+        let (decimal, double, binary, exact) = match figure {
+            Some(Figure { decimal, double, binary, .. }) => (Some(decimal), double, binary, None),
+            None => (None, f64::INFINITY, Binary::infinite(), Some("inf".into())),
         };
         Self { decimal, double, binary, exact, printed: Vec::new(), limited_by: None }
     }

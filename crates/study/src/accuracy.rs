@@ -89,22 +89,7 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Measurement> {
     };
     let study = CaseStudy { case, effort, truth: &truth };
     let mut computed = |method: &str, bits: u32, job: &dyn Fn() -> Option<Newton<Float>>| {
-        let timed = timed(effort.budget, job);
-        let row = study.row(method, Some(bits)).with_times(&timed);
-        rows.push(match &timed.value {
-            Some(Newton { root, steps }) => {
-                let newton_steps = (*steps > 0).then_some(*steps);
-                Measurement {
-                    newton_steps,
-                    evaluations: newton_steps.map(|steps| steps * truth.len()),
-                    verdict: "computed".into(),
-                    working_bits: Some(bits),
-                    ..row
-                }
-                .with_errors(&study.errors(root), bits)
-            }
-            None => Measurement { verdict: "no value".into(), ..row },
-        });
+        rows.push(study.computed(method, bits, job));
     };
     let value = |x: Float| x.is_finite().then(|| Newton { root: vec![x], steps: 0 });
     let double = |x: f64| value(Float::with_val(53, x));
@@ -175,6 +160,29 @@ impl CaseStudy<'_> {
 
     fn errors(&self, values: &[Float]) -> Vec<ErrorSizes> {
         values.iter().zip(self.truth).map(|(x, t)| error(x, t)).collect()
+    }
+
+    /// The row of a method that computes the unknowns and proves nothing.
+    fn computed(
+        &self,
+        method: &str,
+        bits: u32,
+        job: &dyn Fn() -> Option<Newton<Float>>,
+    ) -> Measurement {
+        let timed = timed(self.effort.budget, job);
+        let row = self.row(method, Some(bits)).with_times(&timed);
+        let Some(Newton { root, steps }) = timed.value else {
+            return Measurement { verdict: "no value".into(), ..row };
+        };
+        let newton_steps = (steps > 0).then_some(steps);
+        Measurement {
+            newton_steps,
+            evaluations: newton_steps.map(|steps| steps * self.truth.len()),
+            verdict: "computed".into(),
+            working_bits: Some(bits),
+            ..row
+        }
+        .with_errors(&self.errors(&root), bits)
     }
 
     /// The discrete static programme, for the thickness of a state: its error is that of the joints.

@@ -72,17 +72,8 @@ pub fn climb(limit: &StudyLimit, k: u32, budget: Duration) -> Vec<Rung> {
     let Some(condition_log10) = target.condition(high) else { return nothing("no condition") };
     let rung = |method, bits| Rung { condition_log10, ..rung(method, bits) };
     let mut rungs = Vec::new();
-    let mut add = |method, bits: u32, job: &dyn Fn() -> Option<Float>| {
-        let timed = timed(budget, job);
-        let cpu_seconds = timed.cpu[1].as_secs_f64();
-        let mut found = Rung { cpu_seconds, verdict: "no value", ..rung(method, bits) };
-        if let Some(value) = timed.value.filter(|x| x.is_finite()) {
-            let relative = error(&value, &truth).relative;
-            found.error_relative_log10 = Some(relative);
-            found.digits_lost = Some(digits_lost(bits, relative));
-            found.verdict = "computed";
-        }
-        rungs.push(found);
+    let mut add = |method, bits, job: &dyn Fn() -> Option<Float>| {
+        rungs.push(computed(job, &truth, rung(method, bits), budget));
     };
     let double = |x: f64| Some(Float::with_val(53, x));
     if let LimitTarget::Closed { joint } = &target {
@@ -123,6 +114,20 @@ pub fn climb(limit: &StudyLimit, k: u32, budget: Duration) -> Vec<Rung> {
     }
     rungs.push(certified(&target, &truth, rung("certified", 0), budget));
     rungs
+}
+
+/// Result of a method in the bits that it was given, with its error; without one if the method finds no value.
+fn computed(job: &dyn Fn() -> Option<Float>, truth: &Ball, rung: Rung, budget: Duration) -> Rung {
+    let timed = timed(budget, job);
+    let found = Rung { cpu_seconds: timed.cpu[1].as_secs_f64(), verdict: "no value", ..rung };
+    let Some(value) = timed.value.filter(|x| x.is_finite()) else { return found };
+    let relative = error(&value, truth).relative;
+    Rung {
+        error_relative_log10: Some(relative),
+        digits_lost: Some(digits_lost(found.working_bits, relative)),
+        verdict: "computed",
+        ..found
+    }
 }
 
 /// The certified result: the working precision is doubled until sixteen digits are proved.

@@ -1,7 +1,7 @@
 //! An answer about one arch, with the asymmetric solutions that are known of it and, in metres, its sizes: for every
 //! door.
 
-use crate::certify::state::{Answer as Outcome, AssessmentDigits};
+use crate::certify::state::{Answer as Outcome, AssessmentDigits, SomeDigits};
 use crate::certify::state::{measured_assessment, measured_state};
 use crate::certify::{Error, Refused, asymmetric_thicknesses};
 use crate::number::ExactNumber;
@@ -17,7 +17,8 @@ pub fn state(
     digits: usize,
     found: &Result<Outcome, Error>,
 ) -> Answer {
-    state_to(Extent::ALL, line, of, digits, found)
+    let all = |found: Outcome| found.map(|digits| digits.only(|_| true));
+    state_to(Extent::ALL, line, of, digits, found.clone().map(all))
 }
 
 /// State of an arch, as far as it is shown.
@@ -26,7 +27,7 @@ pub fn state_to(
     line: u64,
     (arch, measures): (&Arch, Option<(&Measures, usize)>),
     digits: usize,
-    found: &Result<Outcome, Error>,
+    found: Result<Outcome<SomeDigits>, Error>,
 ) -> Answer {
     let answer = Answer::state_to(extent, line, arch, found)
         .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
@@ -36,14 +37,15 @@ pub fn state_to(
     }
 }
 
-/// Arch of a given thickness, as it was found to so many digits.
+/// Arch of a given thickness, as it was found to so many digits and as far as it is shown.
 pub fn assessment(
+    extent: Extent,
     line: u64,
     (arch, thickness, measures): (&Arch, &ExactNumber, Option<(&Measures, usize)>),
     digits: usize,
     found: &Result<AssessmentDigits, Refused>,
 ) -> Answer {
-    let answer = Answer::assessment(line, (arch, thickness), found)
+    let answer = Answer::assessment(extent, line, (arch, thickness), found)
         .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
     match measures {
         Some((of, digits)) => {

@@ -76,7 +76,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (proved, balls) = (format.proved_digits(digits), format.balls());
     let answer = |line, arch: &Arch| {
         let found = balls.assess(arch, eta, proved);
-        answer::assessment(line, (arch, eta, arguments.arch.measures(&given)), proved, &found)
+        answer::assessment(
+            crate::report::Extent::ALL,
+            line,
+            (arch, eta, arguments.arch.measures(&given)),
+            proved,
+            &found,
+        )
     };
     print(&arguments.output, (digits, quantities), (&asked, &arches), answer)
 }

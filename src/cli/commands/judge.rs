@@ -12,7 +12,8 @@ use crate::report::{Content, Format, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use crate::sweep::rows::{
-    ArchReader, Columns, GivenRows, Judge, Keep, Numbered, Purpose, ReadRow, Role, Syntax,
+    ArchReader, Columns, GivenRows, Judge, Keep, NumberStyle, Numbered, Purpose, ReadRow, Role,
+    Syntax,
 };
 use clap::Args;
 use std::io::{self, Write};
@@ -111,6 +112,19 @@ pub(crate) struct Arguments {
     output: OutputFile,
 }
 
+impl Arguments {
+    /// Judge of rows with these columns: how it reads their numbers, and what it demands of them.
+    fn judge(&self, columns: Columns, spelling: NumberStyle) -> Judge {
+        let demand = match self.accept {
+            Some(digits) => Demand { digits, or_as_printed: false },
+            None => Demand::USUAL,
+        };
+        let doubles = self.inputs == "double";
+        let weight = self.weight.unwrap_or(SelfWeight::Milankovitch);
+        Judge { reader: ArchReader { columns, weight, doubles, spelling }, demand }
+    }
+}
+
 fn format_help() -> String {
     let each = Format::all(Content::JUDGED).filter(|format| JudgedLines::of(format).is_some());
     format!(
@@ -156,23 +170,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let each = JudgedLines::of(format);
     let in_lines = each.is_none() || format.name == "jsonl";
     let given = GivenRows::new((syntax, input), columns, keep, in_lines)?;
-    let GivenRows { columns, spelling, kept, mut rows } = given;
-    let mut seen = vec![true; columns.all.len()];
-    if let Syntax::Json = syntax {
-        let first: Vec<Numbered<ReadRow>> = rows.by_ref().take(CHUNK).collect();
-        seen = seen_in(&first, &columns)?;
-        rows = Box::new(first.into_iter().chain(rows));
-    }
-    let (has_weight, quantities) = claimed(&columns, &seen);
-    let demand = match arguments.accept {
-        Some(digits) => Demand { digits, or_as_printed: false },
-        None => Demand::USUAL,
+    let GivenRows { columns, spelling, kept, rows } = given;
+    let (seen, rows) = match syntax {
+        Syntax::Json => seen_in(rows, &columns)?,
+        Syntax::Csv => (vec![true; columns.all.len()], rows),
     };
-    let doubles = arguments.inputs == "double";
-    let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
-    let assumed = (arguments.weight.is_none() && !has_weight).then_some(weight);
-    let judge = Judge { reader: ArchReader { columns, weight, doubles, spelling }, demand };
-    let mut summary = JudgeSummary::new(demand, assumed, usize::from(arguments.worst));
+    let (has_weight, quantities) = claimed(&columns, &seen);
+    let judge = arguments.judge(columns, spelling);
+    let assumed = (arguments.weight.is_none() && !has_weight).then_some(judge.reader.weight);
+    let mut summary = JudgeSummary::new(judge.demand, assumed, usize::from(arguments.worst));
     let output = arguments.output.open()?;
     let mut complete = false;
     output.write(|out| {
@@ -232,8 +238,12 @@ fn claimed(columns: &Columns, seen: &[bool]) -> (bool, Vec<Quantity>) {
     (there().any(|role| role == Role::Weight), quantities)
 }
 
-/// The columns that the first rows of JSON have.
-fn seen_in(first: &[Numbered<ReadRow>], columns: &Columns) -> Result<Vec<bool>, Failure> {
+/// Rows that are read one after the other.
+type RowsToRead = Box<dyn Iterator<Item = Numbered<ReadRow>> + Send>;
+
+/// The columns that the first rows of JSON have, and all the rows.
+fn seen_in(mut rows: RowsToRead, columns: &Columns) -> Result<(Vec<bool>, RowsToRead), Failure> {
+    let first: Vec<Numbered<ReadRow>> = rows.by_ref().take(CHUNK).collect();
     let read = || first.iter().filter_map(|(_, row)| row.as_ref().ok());
     let has = |place: usize| read().any(|row| row.cells[place].is_some());
     let seen: Vec<bool> = (0..columns.all.len()).map(has).collect();
@@ -241,5 +251,5 @@ fn seen_in(first: &[Numbered<ReadRow>], columns: &Columns) -> Result<Vec<bool>, 
     if read().next().is_some() {
         columns.check(&seen, "the first rows have")?;
     }
-    Ok(seen)
+    Ok((seen, Box::new(first.into_iter().chain(rows))))
 }

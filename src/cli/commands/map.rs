@@ -1,7 +1,6 @@
 //! `couplet map`.
 
 use super::axes::AxesArguments;
-use super::curves::{borders, landmarks, levels, traced};
 use super::notes::{self, each_once};
 use super::output::{Output, OutputFile};
 use super::print::PrintArguments;
@@ -10,17 +9,14 @@ use crate::atlas::BorderLine;
 use crate::atlas::{
     self, Contour, Curve, Difference, Divide, LEAST_DIFFERENCE, LEAST_TOLERANCE, NoPoint,
 };
-use crate::certify::{Error, Undecided};
+use crate::certify::Undecided;
 use crate::cli::line::typed;
 use crate::number::ExactNumber;
 use crate::problem::Friction;
-use crate::report::{
-    Axes, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, Mark, Marked, Plane, Reported,
-    View, map_summary,
-};
+use crate::report::{Format, Map, MapAsked, MapDifferences, MapPoint, Marked, Plane, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
-use crate::sweep::scene::{contour_key, map_lines};
+use crate::sweep::scene::{ItemKind, Request, SceneMap, answered, contour_key};
 use clap::{Args, Subcommand};
 use rayon::prelude::*;
 
@@ -242,14 +238,15 @@ impl DrawnMap {
         self.weight.unwrap_or(usual).all()
     }
 
-    /// The arches to mark, proved.
-    fn marks(&self, weights: &[SelfWeight]) -> Result<Vec<Mark>, Error> {
+    /// The arches to mark.
+    fn marks(&self) -> Vec<Marked> {
         notes::frictions(
             self.frictions.iter().chain(self.marks.iter().flat_map(Marked::frictions)),
         );
-        let marks = each_once(&self.marks, ToString::to_string, |mark| format!("the mark {mark}"));
-        let all = weights.iter().flat_map(|weight| marks.iter().map(move |mark| (mark, *weight)));
-        all.map(|(mark, weight)| mark.proved(weight)).collect()
+        each_once(&self.marks, ToString::to_string, |mark| format!("the mark {mark}"))
+            .into_iter()
+            .cloned()
+            .collect()
     }
 
     /// The levels asked for.
@@ -270,8 +267,7 @@ fn all_curves(arguments: &DrawnMap) -> Result<(), Failure> {
     let format = arguments.format()?;
     let weights = arguments.weights(format);
     let (contours, axes) = (arguments.contours(), arguments.axes.axes());
-    let is_whole = axes == Axes::default() && format.is_picture;
-    let axes = if arguments.asymmetric && is_whole { Axes::of_asymmetric() } else { axes };
+    let axes = if arguments.asymmetric { axes.of_asymmetric(format) } else { axes };
     let asked = MapAsked {
         format,
         weights: weights.len(),
@@ -287,35 +283,22 @@ fn all_curves(arguments: &DrawnMap) -> Result<(), Failure> {
     let misfit = asked.misfit(|key| format!("--{}", key.replace('_', "-")));
     misfit.map_or(Ok(()), Err)?;
     let print = arguments.print.of(format)?;
-    let marks = arguments.marks(&weights)?;
-    let file = arguments.file.open_for(format)?;
+    let (marks, file) = (arguments.marks(), arguments.file.open_for(format)?);
     let curves = arguments.curves();
     let contours = each_once(contours.clone(), contour_key, |contour| format!("the {contour}"));
-    let (curves, contours) = map_lines(&asked, &weights, &curves, contours);
-    let view = if arguments.lines { View::Lines } else { View::Map(asked.plane()) };
-    let drawing = Drawing { view, axes, marks, command: typed() };
-    let tolerance = drawing.axes.tolerance(arguments.tolerance);
-    let (traces, mut open) = traced(curves, tolerance, format)?;
-    let landmarks = if format.is_page() { landmarks(&weights) } else { Vec::new() };
-    let undecided = landmarks.iter().filter(|answer| answer.is_undecided());
-    open.extend(
-        undecided.filter_map(|answer| Some(answer.subject.landmark()?.symbol().to_owned())),
-    );
-    let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;
-    let borders = match arguments.asymmetric {
-        true => borders(&weights, tolerance)?,
-        false => Vec::new(),
-    };
-    let map = Map { tolerance, traces, levels, borders, landmarks, drawing };
-    open.extend(map.open());
-    file.printed((&map, format, &print), [""; 0])?;
-    told(&arguments.file, &map_summary(&map))?;
-    Failure::of_open(open)
+    let named = (&curves[..], contours);
+    let map = SceneMap::new(&asked, &weights, named, arguments.tolerance, marks, typed());
+    let answer = answered(ItemKind::Map, Request::Map(map), (format, &print));
+    answer.misfit.map_or(Ok(()), |why| Err(Failure::from(why)))?;
+    let Some(report) = answer.report else { return Failure::of_open(answer.undecided) };
+    file.printed((&*report, format, &print), [""; 0])?;
+    told(&arguments.file, &*report)?;
+    Failure::of_open(answer.undecided)
 }
 
 /// Tells on standard output, in a line, what was written into a file.
-fn told(output: &OutputFile, summary: &str) -> Result<(), Failure> {
-    let Some(path) = output.path() else { return Ok(()) };
+fn told(output: &OutputFile, report: &dyn Reported) -> Result<(), Failure> {
+    let (Some(path), Some(summary)) = (output.path(), report.summary()) else { return Ok(()) };
     Output::Standard.write(|out| writeln!(out, "{}: {summary}", path.display()))
 }
 
@@ -348,5 +331,5 @@ fn difference(asked: &DifferenceArguments) -> Result<(), Failure> {
         Divide::ALL.into_par_iter().map(|divide| Difference::new(divide, tolerance)).collect();
     let differences = MapDifferences { tolerance, differences: differences?, command: typed() };
     file.printed((&differences, format, &print), [""; 0])?;
-    told(&asked.file, &differences.summary())
+    told(&asked.file, &differences)
 }

@@ -8,7 +8,6 @@ mod by_value;
 mod certify;
 mod complementarity;
 mod constants;
-mod curves;
 mod described;
 pub mod doors;
 mod draw;

@@ -6,7 +6,9 @@ use super::output::Output;
 use super::progress;
 use crate::cli::line::say;
 use crate::sweep::failure::Failure;
-use crate::sweep::scene::{EXAMPLE, Hashing, Plan, SceneItem, SceneRun, explain, read_bytes};
+use crate::sweep::scene::{
+    EXAMPLE, Hashing, ItemReport, Plan, SceneItem, SceneRun, explain, read_bytes,
+};
 use clap::Args;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -74,7 +76,7 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
     let bar = progress::bar(plan.ticks(), &plan.sizes())?;
     let tick = || bar.inc(1);
     let mut run = SceneRun::new(plan);
-    let mut undecided = Vec::new();
+    let (mut undecided, mut misfits) = (Vec::new(), Vec::new());
     let mut printed = false;
     for (index, item) in plan.scene.items.iter().enumerate() {
         let path = item.output.as_ref().map(|output| folder.shown(output));
@@ -88,11 +90,12 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
             continue;
         }
         let report = run.item(index, &tick);
-        let open = report.undecided.iter();
-        undecided.extend(open.map(|what| match &path {
+        let placed = |what: &String| match &path {
             Some(path) => format!("{what} in {}", path.display()),
             None => what.clone(),
-        }));
+        };
+        undecided.extend(report.undecided.iter().map(placed));
+        misfits.extend(report.misfit.iter().map(placed));
         if report.report.is_none() {
             continue;
         }
@@ -106,9 +109,7 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
                 if path.is_none() && std::mem::replace(&mut printed, true) {
                     writeln!(out)?;
                 }
-                let mut hashing = Hashing::new(out);
-                report.write(&mut hashing)?;
-                hash = hashing.hash();
+                hash = hashed(&report, out)?;
                 Ok(())
             })
         })?;
@@ -122,11 +123,27 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
     }
     bar.finish_and_clear();
     if explained {
-        let mut tree = Vec::new();
-        let written = explain(plan, Some(run.costs()), &mut tree);
-        written.map_err(|error| Failure::Io(error.to_string()))?;
-        // A reader of it may be gone.
-        let _ = io::stderr().write_all(&tree);
+        explain_costs(plan, &run)?;
+    }
+    if !misfits.is_empty() {
+        return Err(misfits.join("; ").into());
     }
     Failure::unless_all("proved", &undecided)
+}
+
+/// Writes the report of an item, and answers the hash of all that it wrote.
+fn hashed(report: &ItemReport, out: &mut dyn Write) -> io::Result<String> {
+    let mut hashing = Hashing::new(out);
+    report.write(&mut hashing)?;
+    Ok(hashing.hash())
+}
+
+/// Prints on standard error what a run has computed, as a tree with the cost of each piece.
+fn explain_costs(plan: &Plan, run: &SceneRun) -> Result<(), Failure> {
+    let mut tree = Vec::new();
+    let written = explain(plan, Some(run.costs()), &mut tree);
+    written.map_err(|error| Failure::Io(error.to_string()))?;
+    // A reader of it may be gone.
+    let _ = io::stderr().write_all(&tree);
+    Ok(())
 }

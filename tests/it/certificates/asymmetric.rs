@@ -1,8 +1,9 @@
 //! Certificates of asymmetric solutions of (19), and their spoiled copies.
 
-use super::originals::{alike, asymmetric, at_root, find_root, root, to_value};
+use super::originals::{alike, asymmetric, find_root, root, to_value};
 use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled};
 use crate::arches::{H, M, arch};
+use crate::program::{couplet, printed, said};
 use couplet::arch::SelfWeight;
 use couplet::arch::asymmetric::AsymmetricMode::{
     self, InnerSliding, ShoulderOpening, ShoulderSliding,
@@ -27,11 +28,6 @@ fn alone() -> Original {
     Original(asymmetric(M, "2.25", "0.99", ShoulderSliding))
 }
 
-/// A copy with something else in the subject of its claim.
-fn with(original: Original, field: &str, value: impl Into<Value>) -> Spoiled {
-    original.with(&format!("/claim/asymmetric/{field}"), value)
-}
-
 /// The same joints, said otherwise.
 fn contacts(spoil: impl FnOnce(&mut Vec<Value>)) -> Spoiled {
     inner().changed("contacts", |copy| {
@@ -41,24 +37,10 @@ fn contacts(spoil: impl FnOnce(&mut Vec<Value>)) -> Spoiled {
 
 const CONTACTS: &str = "slides outwards, right shoulder, hinge at the extrados, right crown, slides inwards, left inner, hinge \
                         at the intrados, left haunch";
-const OF_OPENING: &str = "slides outwards, right shoulder, hinge at the extrados, right shoulder, hinge at the extrados, right \
-                          crown, hinge at the intrados, left haunch";
 const SIX: &str = "thrust, crown_moment, vertical_force, thickness, crown_hinge, rotation_joint";
 
 fn mismatch(place: &'static str, expected: &str) -> Refusal {
     Refusal::Mismatch { place, expected: expected.to_owned() }
-}
-
-/// The root of the equations of a kind next to this point does not meet this condition.
-pub(super) fn unmet(
-    mode: AsymmetricMode,
-    (half_opening, friction): (&str, &str),
-    start: &[f64],
-    words: &'static str,
-) -> Cases {
-    let problem = Problem::Asymmetric { mode, arch: arch(M, half_opening, friction) };
-    let certificate = to_value(&at_root(&problem, start)).to_string();
-    vec![(Spoiled::new(words, certificate), Refusal::Condition(words))]
 }
 
 /// The state as the mirror has it: the vertical force the other way, the joints on the other sides.
@@ -122,12 +104,9 @@ refusals! {
     contacts_in_another_order: contacts(|all| all.swap(0, 1)) => mismatch("contacts", CONTACTS);
     a_contact_left_out: contacts(|all| drop(all.pop())) => mismatch("contacts", CONTACTS);
     a_contact_too_many: contacts(|all| all.push(all[0].clone())) => mismatch("contacts", CONTACTS);
-    another_kind: with(inner(), "mode", "shoulder_opening") => mismatch("contacts", OF_OPENING);
     another_kind_with_its_contacts: inner().changed("kind", |copy| {
         copy["claim"]["asymmetric"] = opening().0["claim"]["asymmetric"].clone();
     }) => mismatch("unknowns", SIX);
-    a_kind_that_is_none:
-        with(inner(), "mode", "[s,r,r]") => Refusal::Name { place: "mode", text: "[s,r,r]".into() };
     unknowns_in_another_order: inner().changed("order", |copy| {
         copy["claim"]["unknowns"].as_array_mut().unwrap().swap(1, 2);
     }) => mismatch(
@@ -141,41 +120,11 @@ refusals! {
         "E(b0) = 0, E'(b0) = 0, I(-b1) = 0, I'(-b1) = 0, O(alpha) = 0, E(alpha) = 0",
     );
     fields_of_the_subject: fields();
-    unlimited_friction: with(inner(), "friction", "inf")
-        => Refusal::Given { place: "friction", text: "inf".into() };
     a_state_besides: inner().changed("two", |copy| {
         copy["claim"]["slides"] = json!({"half_opening": "23/10", "friction": "21/20"});
     }) => Refusal::Subject;
-    another_weight: inner().with("/claim/weight", "heyman")
-        => Refusal::Contraction { place: "unique", unknown: "crown_moment" };
-    another_arch: with(inner(), "half_opening", "3/2")
-        => Refusal::Contraction { place: "unique", unknown: "thrust" };
-    another_friction: with(inner(), "friction", "106/100")
-        => Refusal::Contraction { place: "unique", unknown: "thrust" };
     the_mirror_image: mirrored() => Refusal::Contraction { place: "unique", unknown: "thrust" };
 
-    // True roots of the equations that are no solutions.
-    an_inner_joint_that_slides_outwards:
-        unmet(
-            InnerSliding,
-            ("2.25", "0.99"),
-            &[0.2175, 0.2731, 0.1073, 0.58, 0.1089, 1.0483, 0.3052],
-            "an inner joint that slides inwards",
-        );
-    a_vertical_force_the_other_way:
-        unmet(
-            InnerSliding,
-            ("2.3", "1.02"),
-            &[0.1531, 0.1948, -0.0133, 0.5457, -0.0128, 1.089, 0.3734],
-            "a positive vertical force in the crown",
-        );
-    a_line_of_thrust_outside_at_the_other_springing:
-        unmet(
-            InnerSliding,
-            ("2.3", "1.1"),
-            &[0.222, 0.2743, 0.1684, 0.6407, 0.1693, 1.0065, 0.2472],
-            "the line of thrust inside the extrados on the whole arch",
-        );
 
     // Values.
     a_digit_spoiled: another_digit(inner());
@@ -186,7 +135,6 @@ refusals! {
     a_rate_of_another_kind: value("shoulder_opening", "0.1")
         => Refusal::Quantity("shoulder_opening".into());
     what_is_given: value("friction", "1.05") => Refusal::Quantity("friction".into());
-    no_values: inner().with("/values", json!([])) => Refusal::NoValues;
 }
 
 #[test]
@@ -237,36 +185,16 @@ fn of_all_the_roots_one_is_accepted() {
     assert!(refused > 4 && accepted > 8, "{refused} {accepted}");
 }
 
-/// The command writes what is found, and the checker says it.
+/// Of two kinds one is asked for, and what is not found is open.
 #[test]
-fn what_is_certified_is_said() {
-    use crate::program::{couplet, fed, said, text};
-    let certify = |arguments: &[&str]| {
-        couplet(&[&["certify", "asymmetric", "--digits", "5"], arguments].concat())
-    };
-    let made = certify(&["--alpha", "2.3", "--mu", "1.05"]);
-    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
-    assert_eq!(
-        said(&fed(&["check", "-"], &made.stdout)).1,
-        "-: accepted  asymmetric solution of (19), inner_sliding, half_opening 23/10 friction 21/20 milankovitch  \
-         thickness 0.58308 to 5 digits\n"
-    );
-    let two = ["--weight", "heyman", "--alpha", "2.3", "--mu", "1.09"];
-    let made = certify(&[&two[..], &["--mode", "shoulder_opening"]].concat());
-    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
-    for (arguments, code, words) in [
-        (&two[..], 2, "it has several: give --mode shoulder_opening or inner_sliding"),
-        (&["--alpha", "pi/2", "--mu", "0.35"], 1, "no asymmetric solution is found"),
-        (&["--alpha", "2.3", "--mu", "inf"], 2, "limited friction"),
-        (&["--alpha", "2.3"], 2, "--friction (or --friction-angle) is missing"),
-        (&["--alpha", "2.3", "--mu", "1.05", "--mode", "[r,r]"], 2, "one of inner_sliding"),
-        (&["--alpha", "2.3", "--mu", "1.05", "--mode", "shoulder_opening"], 1, "no solution"),
-        (&["--alpha", "2.3", "--mu", "1.05", "--thickness", "1"], 2, "belongs to `arch`"),
+fn a_kind_is_asked_for() {
+    printed("certify asymmetric --weight heyman --alpha 2.3 --mu 1.09 --mode shoulder_opening");
+    for (arguments, words) in [
+        ("--alpha pi/2 --mu 0.35", "no asymmetric solution is found"),
+        ("--alpha 2.3 --mu 1.05 --mode shoulder_opening", "no solution"),
     ] {
-        let (found, _, message) = said(&certify(arguments));
-        assert!(found == Some(code) && message.contains(words), "{arguments:?}: {message}");
-        assert_eq!(message.trim_end().lines().count(), 1, "{message}");
+        let (code, _, message) = said(&couplet(format!("certify asymmetric {arguments}")));
+        assert_eq!((code, message.lines().count()), (Some(1), 1), "{message}");
+        assert!(message.contains(words), "{message}");
     }
-    let (code, _, message) = said(&couplet(&["certify", "T", "--mode", "inner_sliding"]));
-    assert!(code == Some(2) && message.contains("a mode belongs to `asymmetric`"), "{message}");
 }

@@ -98,71 +98,37 @@ fn both_subjects() -> Spoiled {
 }
 
 refusals! {
-    another_version: other_schema("couplet.certificate/2");
-    a_space_behind_the_schema: other_schema("couplet.certificate/1 ");
-    the_schema_of_constants: other_schema("couplet.constants/1");
-    an_empty_schema: other_schema("");
-
+    other_schemas: [
+        "couplet.certificate/2", "couplet.certificate/1 ", "couplet.constants/1", "",
+    ].into_iter().flat_map(other_schema).collect();
     a_landmark_and_a_state: both_subjects() => Refusal::Subject;
-    neither_a_landmark_nor_a_state: point().without("/claim", "landmark") => Refusal::Subject;
-
-    an_unknown_weight: no_such(point(), "weight", "couplet");
-    a_weight_in_capitals: no_such(point(), "weight", "Heyman");
-    an_empty_weight: no_such(point(), "weight", "");
-    an_unknown_landmark: no_such(point(), "landmark", "X");
-    a_landmark_in_small_letters: no_such(point(), "landmark", "t");
-    an_empty_landmark: no_such(point(), "landmark", "");
-    an_unknown_mode: no_such(arch(), "mode", "[r,s,s]");
-    a_mode_without_brackets: no_such(arch(), "mode", "r,r,s");
-    // No thickness belongs to the purely sliding state.
-    the_purely_sliding_mode: no_such(arch(), "mode", "[s,s]");
-
-    unknowns_in_another_order: other_names("unknowns", swapped);
-    another_unknown: other_names("unknowns", another_name);
-    an_unknown_too_many: other_names("unknowns", one_twice);
-    an_unknown_too_few: other_names("unknowns", one_less);
-    no_unknowns: other_names("unknowns", |_| Vec::new());
-    equations_in_another_order: other_names("equations", swapped);
-    another_equation: other_names("equations", another_name);
-    an_equation_too_many: other_names("equations", one_twice);
-    an_equation_too_few: other_names("equations", one_less);
-    no_equations: other_names("equations", |_| Vec::new());
-
-    nothing_given: not_given_as("");
-    a_whole_number: not_given_as("1");
-    a_decimal: not_given_as("1.5");
-    a_zero_denominator: not_given_as("1/0");
-    zero_over_zero: not_given_as("0/00");
-    a_negative_number: not_given_as("-1/2");
-    a_negative_denominator: not_given_as("1/-2");
-    a_plus: not_given_as("+1/2");
-    pi_without_a_space: not_given_as("1/2pi");
-    a_space_behind_pi: not_given_as("1/2 pi ");
-    pi_as_a_numerator: not_given_as("pi/2");
-    a_space_before_the_number: not_given_as(" 1/2");
-    two_denominators: not_given_as("1/2/3");
-    arabic_digits: not_given_as("١/٢");
-    nan: not_given_as("nan");
-    a_hexadecimal_number: not_given_as("0x1/2");
+    texts_that_are_nothing_given: [
+        "", "1", "1.5", "1/0", "0/00", "-1/2", "1/-2", "+1/2", "1/2pi", "1/2 pi ", "pi/2", " 1/2", "1/2/3",
+        "١/٢", "nan", "0x1/2",
+    ].into_iter().flat_map(not_given_as).collect();
     a_long_numerator: not_given_as(&format!("{}/2", long()));
     a_long_denominator: not_given_as(&format!("2/{}", long()));
-    an_infinite_half_opening: vec![given_as("half_opening", "inf")];
-    half_a_turn: vec![given_as("half_opening", "1/1 pi")];
-    degrees_without_their_unit: vec![given_as("half_opening", "90/1")];
-    a_tangent_without_a_number: vec![given_as("friction", "tan ")];
-    a_tangent_of_a_right_angle: vec![given_as("friction", "tan 1/2 pi")];
-    a_tangent_of_an_obtuse_angle: vec![given_as("friction", "tan 2/3 pi")];
     the_same_tangent_of_a_larger_angle: half_a_turn_further() => given("friction", "tan 211/180 pi");
-    a_tangent_in_brackets: vec![given_as("friction", "tan(1/2)")];
-    a_tangent_as_a_half_opening: vec![given_as("half_opening", "tan 1/2")];
-    no_friction_for_a_mode_that_slides: vec![given_as("friction", "inf")];
     a_friction_for_overturning: overturning_with_a_friction() => given("friction", "5/1");
-
     no_digits: no_number_of_digits(0);
     a_digit_too_many: more_than_asked_for(MAX_DIGITS + 1);
     a_million_digits: more_than_asked_for(1_000_000);
     more_than_a_million_digits: no_number_of_digits(1_000_001);
     as_many_digits_as_can_be: no_number_of_digits(usize::MAX);
+    // No thickness belongs to the purely sliding state.
+    names_of_nothing: [
+        (point(), "weight", "couplet"), (point(), "weight", "Heyman"), (point(), "weight", ""),
+        (point(), "landmark", "X"), (point(), "landmark", "t"), (point(), "landmark", ""),
+        (arch(), "mode", "[r,s,s]"), (arch(), "mode", "r,r,s"), (arch(), "mode", "[s,s]"),
+    ].into_iter().flat_map(|(original, place, text)| no_such(original, place, text)).collect();
+    numbers_that_are_not_given_so: [
+        ("half_opening", "inf"), ("half_opening", "1/1 pi"), ("half_opening", "90/1"), ("friction", "tan "),
+        ("friction", "tan 1/2 pi"), ("friction", "tan 2/3 pi"), ("friction", "tan(1/2)"),
+        ("half_opening", "tan 1/2"), ("friction", "inf"),
+    ].into_iter().map(|(place, text)| given_as(place, text)).collect();
+    other_unknowns_and_equations: [swapped, another_name, one_twice, one_less, |_: Vec<String>| Vec::new()].into_iter()
+        .flat_map(|change: fn(Vec<String>) -> Vec<String>| [other_names("unknowns", change), other_names("equations", change)])
+        .flatten().collect();
 }
 
 /// Another landmark with the unknowns of this one.

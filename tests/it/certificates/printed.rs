@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 /// The line about a certificate from standard input, without its name.
 fn line(certificate: &Value) -> String {
-    let (code, output, message) = said(&fed(&["check", "-"], certificate.to_string()));
+    let (code, output, message) = said(&fed("check -", certificate.to_string()));
     assert_eq!((code, message.as_str(), output.lines().count()), (Some(0), "", 1), "{output}");
     output.trim_end().strip_prefix("-: ").unwrap().to_owned()
 }
@@ -137,7 +137,7 @@ fn a_name_of_a_file_is_printed_in_one_line_whatever_its_bytes_are() {
     ] {
         let path = scratch.folder().join(OsStr::from_bytes(name));
         std::fs::write(&path, &good).unwrap();
-        let check = || command(&["check"]).arg(&path).output().unwrap();
+        let check = || command("check").arg(&path).output().unwrap();
         let (code, output, _) = said(&check());
         assert_eq!((code, output.lines().count()), (Some(0), 1), "{output}");
         assert!(output.contains(&format!("{shown}accepted  T heyman")), "{output}");
@@ -149,7 +149,7 @@ fn a_name_of_a_file_is_printed_in_one_line_whatever_its_bytes_are() {
             "{output}"
         );
     }
-    let wrong = command(&["check", "--engine", "\u{1b}[2K\n"]).arg("x").output().unwrap();
+    let wrong = command(["check", "--engine", "\u{1b}[2K\n"]).arg("x").output().unwrap();
     assert!(!said(&wrong).2.trim_end().contains(char::is_control), "{}", said(&wrong).2);
-    assert_eq!(couplet(&["check", "a\nb"]).status.code(), Some(3));
+    assert_eq!(couplet(["check", "a\nb"]).status.code(), Some(3));
 }

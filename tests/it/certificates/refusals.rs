@@ -67,19 +67,22 @@ impl Original {
 /// Spoiled copies of one kind with their reasons.
 pub(super) type Cases = Vec<(Spoiled, Refusal)>;
 
+/// Whether a refusal is for this reason, as Rust writes it, in few words and without a sequence of its own. Behind what
+/// a format is told to be come the place in the file and the types expected, which are serde's words.
+pub(super) fn is_reason(refusal: &Refusal, reason: &str) -> bool {
+    let (words, found) = (refusal.to_string(), format!("{refusal:?}"));
+    let is_told = match reason.strip_suffix("\")").filter(|_| reason.starts_with("Format(")) {
+        Some(reason) => found.starts_with(reason),
+        None => found == reason,
+    };
+    is_told && words.len() < 400 && !words.contains(char::is_control)
+}
+
 /// Every arithmetic refuses each copy for exactly its reason.
 pub(super) fn refused(cases: Cases) {
     for (Spoiled { what, bytes }, expected) in cases {
         let found = file_alike(&bytes, MAX_DIGITS).expect_err(&what);
-        match (&found, &expected) {
-            // The place in the file and the types expected are serde's words.
-            (Refusal::Format(found), Refusal::Format(expected)) => {
-                assert!(found.starts_with(expected), "{what}: {found}");
-            }
-            _ => assert_eq!(found, expected, "{what}"),
-        }
-        let words = found.to_string();
-        assert!(words.len() < 400 && !words.contains(char::is_control), "{what}: {words}");
+        assert!(is_reason(&found, &format!("{expected:?}")), "{what}: {found:?} {expected:?}");
     }
 }
 
@@ -100,11 +103,6 @@ macro_rules! refusals {
             let tables: Vec<$crate::certificates::refusals::Cases> =
                 vec![$(refusals!(@cases $spoiled $(=> $refusal)?)),*];
             tables.into_iter().flatten().collect()
-        }
-
-        /// The reasons in the table.
-        pub(super) fn expected() -> Vec<couplet::check::Refusal> {
-            cases().into_iter().map(|(_, refusal)| refusal).collect()
         }
     };
 }

@@ -1,7 +1,7 @@
 //! Every size is looked at.
 
 use super::originals::alike;
-use super::refusals::{Cases, MAX_DIGITS, point};
+use super::refusals::{Cases, MAX_DIGITS, Spoiled, point};
 use couplet::check::Refusal;
 use serde_json::{Value, json};
 
@@ -48,12 +48,9 @@ fn the_last_bit_that_is_allowed_is_accepted() {
     }
 }
 
-fn one_bit_more(index: usize) -> Cases {
-    let (whole, place, bits) = LARGEST[index];
-    vec![(
-        point().with(whole, longer(whole, bits + 1)),
-        Refusal::Large { place, bits: bits as usize },
-    )]
+fn one_bit_more((whole, place, bits): (&str, &'static str, u32)) -> (Spoiled, Refusal) {
+    let refusal = Refusal::Large { place, bits: bits as usize };
+    (point().with(whole, longer(whole, bits + 1)), refusal)
 }
 
 /// A radius that is not positive, of the first unknown and of one in the middle.
@@ -69,24 +66,13 @@ fn no_radius(place: &'static str, text: &str) -> Cases {
 }
 
 refusals! {
-    rows_of_the_inverse: other_length("/inverse", "inverse");
-    the_first_row_of_the_inverse: other_length("/inverse/0", "inverse");
-    the_last_row_of_the_inverse: other_length("/inverse/5", "inverse");
-    the_centre_of_the_unique_box: other_length("/unique/centre", "unique");
-    the_radius_of_the_unique_box: other_length("/unique/radius", "unique");
-    the_centre_of_the_root: other_length("/root/centre", "root");
-    the_radius_of_the_root: other_length("/root/radius", "root");
-
-    a_bit_too_many_in_the_inverse: one_bit_more(0);
-    a_bit_too_many_in_the_unique_radius: one_bit_more(1);
-    a_bit_too_many_in_the_unique_centre: one_bit_more(2);
-    a_bit_too_many_in_the_root_radius: one_bit_more(3);
-    a_bit_too_many_in_the_root_centre: one_bit_more(4);
-
-    a_unique_box_of_zero_width: no_radius("unique", "0x0p0");
-    a_unique_box_of_negative_width: no_radius("unique", "-0x1p-90");
-    a_unique_box_of_a_long_zero: no_radius("unique", "0x0000p5");
-    a_root_of_zero_width: no_radius("root", "0x0p0");
-    a_root_of_negative_width: no_radius("root", "-0x1p-90");
-    a_root_of_a_long_zero: no_radius("root", "0x0000p5");
+    lists_of_another_length: [
+        ("/inverse", "inverse"), ("/inverse/0", "inverse"), ("/inverse/5", "inverse"),
+        ("/unique/centre", "unique"), ("/unique/radius", "unique"),
+        ("/root/centre", "root"), ("/root/radius", "root"),
+    ].into_iter().flat_map(|(whole, place)| other_length(whole, place)).collect();
+    a_bit_too_many: LARGEST.map(one_bit_more).into();
+    // None, a negative one, and a long zero.
+    boxes_without_a_width: ["0x0p0", "-0x1p-90", "0x0000p5"].into_iter()
+        .flat_map(|text| no_radius("unique", text).into_iter().chain(no_radius("root", text))).collect();
 }

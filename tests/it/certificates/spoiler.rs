@@ -1,9 +1,13 @@
 //! Spoils a certificate: its values, or the bytes of its text.
 
+use crate::hard::config;
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
 use serde_json::{Value, json};
+use std::cell::Cell;
 
 /// A step of spoiling: what, where and how.
-pub(super) type Step = (u8, u64, u64);
+type Step = (u8, u64, u64);
 
 /// The places of all values in a value.
 fn places(value: &Value, at: &str, all: &mut Vec<String>) {
@@ -47,7 +51,7 @@ fn other_text(text: &str, kind: u64, how: u64) -> String {
 }
 
 /// Spoils a value at one place.
-pub(super) fn spoil(value: &mut Value, &(what, at, how): &Step) {
+fn spoil(value: &mut Value, &(what, at, how): &Step) {
     let mut all = Vec::new();
     places(value, "", &mut all);
     let place = &all[at as usize % all.len()];
@@ -82,7 +86,7 @@ pub(super) fn spoil(value: &mut Value, &(what, at, how): &Step) {
 }
 
 /// Spoils the text itself.
-pub(super) fn spoil_bytes(bytes: &mut Vec<u8>, &(what, at, how): &Step) {
+fn spoil_bytes(bytes: &mut Vec<u8>, &(what, at, how): &Step) {
     let at = at as usize % bytes.len().max(1);
     let size = how as usize % 40;
     let end = (at + size).min(bytes.len());
@@ -99,5 +103,39 @@ pub(super) fn spoil_bytes(bytes: &mut Vec<u8>, &(what, at, how): &Step) {
             bytes.swap(at, other);
         }
         _ => bytes.insert(at, how as u8),
+    }
+}
+
+/// Spoils originals again and again, in their values and then in their bytes, and looks whether each copy is accepted;
+/// so many of a thousand are at least, and so many are refused.
+pub(super) fn spoiled(
+    cases: u32,
+    least: [[u32; 2]; 2],
+    originals: &[&Value],
+    is_accepted: impl Fn(&[u8]) -> bool,
+) {
+    let config = config(cases);
+    let share = |thousandths| config.cases / 1000 * thousandths;
+    let steps = prop::collection::vec((any::<u8>(), any::<u64>(), any::<u64>()), 1..3);
+    for ([some, most], in_bytes) in least.into_iter().zip([false, true]) {
+        let counts: [Cell<u32>; 2] = Default::default();
+        TestRunner::new(config.clone())
+            .run(&(0..originals.len(), steps.clone()), |(original, steps)| {
+                let mut copy = originals[original].clone();
+                if !in_bytes {
+                    steps.iter().for_each(|step| spoil(&mut copy, step));
+                }
+                let mut bytes = copy.to_string().into_bytes();
+                if in_bytes {
+                    steps.iter().for_each(|step| spoil_bytes(&mut bytes, step));
+                }
+                let count = &counts[usize::from(is_accepted(&bytes))];
+                count.set(count.get() + 1);
+                Ok(())
+            })
+            .unwrap_or_else(|failure| panic!("{failure}"));
+        let [refused, accepted] = counts.map(|count| count.get());
+        println!("{accepted} spoiled certificates accepted, {refused} refused");
+        assert!(accepted >= share(some) && refused >= share(most), "{accepted} {refused}");
     }
 }

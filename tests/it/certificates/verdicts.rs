@@ -3,7 +3,7 @@
 use super::originals::{alike, verdict};
 use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled};
 use crate::arches::{H, arch};
-use crate::program::text;
+use crate::program::{fed, printed, said, text};
 use couplet::certify::certify_arch;
 use couplet::check::Refusal;
 use couplet::problem::{Problem, Verdict};
@@ -20,7 +20,7 @@ pub(super) fn too_wide() -> Original {
     Original(verdict("2.8", "4", "1"))
 }
 
-fn too_wide_for_any_friction() -> Original {
+pub(super) fn too_wide_for_any_friction() -> Original {
     Original(verdict("2.85", "inf", "1"))
 }
 
@@ -39,7 +39,7 @@ pub(super) fn stands_at_the_crown() -> Original {
 }
 
 /// A shallow arch with less thrust than the solver would choose: 0.9, with the moment 0.9.
-fn stands_at_the_shoulder() -> Original {
+pub(super) fn stands_at_the_shoulder() -> Original {
     static MADE: OnceLock<Value> = OnceLock::new();
     Original(MADE.get_or_init(|| {
         let mut made = verdict("1/10", "inf", "1/20").clone();
@@ -83,10 +83,6 @@ fn subject(original: Original) -> &'static str {
 /// A copy with something else in the subject of its claim.
 fn with(original: Original, field: &str, value: &str) -> Spoiled {
     original.with(&format!("/claim/{}/{field}", subject(original)), value)
-}
-
-fn condition(words: &'static str) -> Refusal {
-    Refusal::Condition(words)
 }
 
 fn given(place: &'static str, text: &str) -> Refusal {
@@ -144,80 +140,15 @@ fn long_witness(field: &str) -> Cases {
     vec![(with(stands(), field, &long), Refusal::Large { place: "claim", bits: 24_000 })]
 }
 
-const BELOW: &str = "a friction below that of the purely sliding state";
-const BEYOND: &str = "a half opening beyond the limit for the friction";
-const THIN: &str = "a thickness below the least";
-
 refusals! {
-    // What is given is not beyond the limit.
-    friction_enough: with(slides(), "friction", "1/2") => condition(BELOW);
-    // The purely sliding friction of the half opening 1.5 is 0.2703…
-    friction_just_enough: with(slides(), "friction", "28/100") => condition(BELOW);
-    unlimited_friction_that_slides: with(slides(), "friction", "inf") => given("friction", "inf");
-    a_tangent_that_is_enough: with(slides(), "friction", "tan 1/4 pi") => condition(BELOW);
-    another_half_opening_that_slides:
-        with(slides(), "half_opening", "1/1")
-        => Refusal::Contraction { place: "unique", unknown: "friction" };
-    a_half_opening_that_stands: with(too_wide(), "half_opening", "5/2") => condition(BEYOND);
-    a_half_opening_that_stands_with_any_friction:
-        with(too_wide_for_any_friction(), "half_opening", "13/5") => condition(BEYOND);
-    another_friction_that_is_too_wide:
-        with(too_wide(), "friction", "3/1")
-        => Refusal::Contraction { place: "unique", unknown: "thrust" };
-    thick_enough: with(too_thin(), "thickness", "1/8") => condition(THIN);
-    as_thick_as_possible: with(too_thin(), "thickness", "2/1") => condition(THIN);
-    another_mode: with(too_thin(), "mode", "[r,r,r]")
-        => Refusal::Mismatch { place: "equations", expected: "(2), (4), (5)".into() };
-    the_purely_sliding_mode_of_one_too_thin:
-        with(too_thin(), "mode", "[s,s]")
-        => Refusal::Name { place: "mode", text: "[s,s]".into() };
-
-    // A line of thrust that is none.
-    too_thin_to_stand: with(stands(), "thickness", "3/5")
-        => Refusal::Contraction { place: "unique", unknown: "rotation_joint" };
-    too_thin_to_stand_at_the_crown:
-        with(stands_at_the_crown(), "thickness", "1/2")
-        => condition("the line of thrust inside the extrados at the shoulder");
-    too_little_friction_to_stand_at_the_shoulder:
-        with(stands(), "friction", "1/2") => condition("friction enough at the shoulder");
-    too_little_friction_to_stand_inside:
-        with(stands_at_the_crown(), "friction", "9/5") => condition("friction enough inside");
-    no_thrust: with(stands_at_the_crown(), "thrust", "0x0p0") => condition("a positive thrust");
-    a_thrust_of_one:
-        with(stands_at_the_crown(), "thrust", "0x1p0") => condition("a thrust below one");
-    a_moment_above_the_crown:
-        with(stands_at_the_crown(), "crown_moment", "0x1p0")
-        => condition("the line of thrust inside the extrados at the crown");
-    a_moment_below_the_intrados:
-        with(stands_at_the_crown(), "crown_moment", "0x0p0")
-        => condition("the line of thrust inside the intrados");
-    a_moment_below_the_intrados_at_the_haunch:
-        with(stands(), "crown_moment", "0x0p0") => condition("the line of thrust inside the intrados");
-    a_moment_below_the_intrados_at_the_shoulder:
-        with(stands_at_the_shoulder(), "crown_moment", "0x1p-1")
-        => condition("the line of thrust inside the intrados");
-    nearest_at_the_shoulder_and_not_at_the_crown:
-        with(stands_at_the_crown(), "nearest", "shoulder")
-        => condition("the moment about the intrados least at the shoulder");
-    nearest_at_the_crown_and_not_at_the_shoulder:
-        with(stands_at_the_shoulder(), "nearest", "crown")
-        => condition("the line of thrust leaves the intrados at the crown");
-    nearest_at_the_haunch_without_a_joint:
-        with(stands_at_the_crown(), "nearest", "haunch")
-        => Refusal::Mismatch { place: "unknowns", expected: "rotation_joint".into() };
-    nearest_nowhere:
-        with(stands(), "nearest", "springing")
-        => Refusal::Name { place: "place", text: "springing".into() };
     a_long_thrust: long_witness("thrust");
     a_long_moment: long_witness("crown_moment");
 
     // Names and numbers.
     every_field_of_a_subject: left_out();
-    a_thickness_of_nothing: no_thickness("0/1");
-    a_thickness_beyond_the_limit: no_thickness("200000000001/100000000000");
-    a_thickness_in_decimals: no_thickness("0.1");
-    a_thickness_with_pi: no_thickness("1/4 pi");
-    a_thickness_without_end: no_thickness("inf");
+    texts_that_are_no_thickness: [
+        "0/1", "200000000001/100000000000", "0.1", "1/4 pi", "inf",
+    ].into_iter().flat_map(no_thickness).collect();
     what_slides_as_too_wide: renamed(slides(), "too_wide")
         => Refusal::Mismatch {
             place: "unknowns",
@@ -230,13 +161,9 @@ refusals! {
     }) => Refusal::Subject;
     a_null_subject: slides().changed("null", |copy| copy["claim"]["stands"] = Value::Null)
         => Refusal::Format("invalid type: null, expected an object".into());
-    no_values_of_what_slides: slides().with("/values", json!([])) => Refusal::NoValues;
-    a_value_that_is_given: too_wide().with("/values/0/quantity", "thickness")
-        => Refusal::Quantity("thickness".into());
     the_thrust_of_one_too_thin: no_result(too_thin_to_overturn("inf", "[r]"), "thrust", "0");
     the_haunch_of_one_too_thin: no_result(too_thin_to_overturn("2.5", "[r,s]"), "rotation_joint", "0");
     the_opening_variable_of_a_limit: no_result(too_wide_for_any_friction(), "A", "0.66666666666666666667");
-    another_friction: slides().with("/values/0/value", "0.3") => Refusal::Rounding("friction");
 }
 
 #[test]
@@ -274,64 +201,44 @@ fn around_its_limit_a_claim_is_accepted_on_one_side_only() {
 /// What `couplet assess` says.
 fn semicircle_stands(weight: &str, thickness: &str) -> bool {
     let weight = weight.to_lowercase();
-    let output = crate::program::couplet(&[
-        "assess",
-        "--half-opening",
-        "pi/2",
-        "--friction",
-        "0.38",
-        "--thickness",
-        thickness,
-        "--weight",
-        &weight,
-        "--digits",
-        "5",
-    ]);
-    text(&output.stdout).contains("\nstands, proved")
+    let arch = "--half-opening pi/2 --friction 0.38 --digits 5";
+    let output = printed(format!("assess {arch} --thickness {thickness} --weight {weight}"));
+    output.contains("\nstands, proved")
 }
 
 /// The command writes what the verdict is, and the checker says it.
 #[test]
 fn what_is_certified_is_said() {
-    use crate::program::{couplet, fed, said};
-    let line = |arguments: &[&str]| {
-        let made = couplet(&[&["certify"], arguments, &["--digits", "5"]].concat());
-        assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
-        let (code, output, _) = said(&fed(&["check", "-"], &made.stdout));
-        assert_eq!(code, Some(0), "{output}");
-        output
-    };
-    assert_eq!(
-        line(&["state", "--alpha", "1.5", "--mu", "0.1"]),
-        "-: accepted  stands at no thickness half_opening 3/2 friction 1/10 milankovitch  as it is below the limit, friction \
-         0.27032 to 5 digits\n"
-    );
-    assert_eq!(
-        line(&["state", "--alpha", "2.85", "--mu", "inf", "--weight", "heyman"]),
-        "-: accepted  stands at no thickness half_opening 57/20 friction inf heyman  as it is beyond the limit, half_opening \
-         2.7865 to 5 digits\n"
-    );
-    let arch = ["arch", "--alpha", "80deg", "--mu", "31deg"];
-    assert_eq!(
-        line(&[&arch[..], &["--eta", "0.05"]].concat()),
-        "-: accepted  does not stand half_opening 4/9 pi friction tan 31/180 pi thickness 1/20; at the least [r,r,r] \
-         milankovitch  as it is below the limit, thickness 0.068650 to 5 digits\n"
-    );
-    assert_eq!(
-        line(&[&arch[..], &["--eta", "1.9"]].concat()),
-        "-: accepted  stands (an admissible symmetric state exists) half_opening 4/9 pi friction tan 31/180 pi thickness 19/10 milankovitch\n"
-    );
-    let refused = |arguments: &[&str], words: &str| {
-        let (code, _, message) = said(&couplet(&[&["certify"], arguments].concat()));
-        assert!(code == Some(2) && message.contains(words), "{message}");
-    };
-    refused(&["arch", "--alpha", "1", "--mu", "1"], "--thickness is missing");
-    refused(&["state", "--alpha", "1", "--mu", "1", "--eta", "1"], "a thickness belongs to `arch`");
-    refused(&["T", "--eta", "1"], "an arch belongs to `state`, `arch`, `survey` and `asymmetric`");
-    refused(
-        &["state", "--alpha", "1", "--mu", "1", "--stones", "9"],
-        "with a joint at every angle",
-    );
+    for (subject, told) in [
+        (
+            "state --alpha 1.5 --mu 0.1",
+            "stands at no thickness half_opening 3/2 friction 1/10 milankovitch  as it is below the limit, friction \
+             0.27032 to 5 digits",
+        ),
+        (
+            "state --alpha 2.85 --mu inf --weight heyman",
+            "stands at no thickness half_opening 57/20 friction inf heyman  as it is beyond the limit, half_opening \
+             2.7865 to 5 digits",
+        ),
+        (
+            "arch --alpha 80deg --mu 31deg --eta 0.05",
+            "does not stand half_opening 4/9 pi friction tan 31/180 pi thickness 1/20; at the least [r,r,r] \
+             milankovitch  as it is below the limit, thickness 0.068650 to 5 digits",
+        ),
+        (
+            "arch --alpha 80deg --mu 31deg --eta 1.9",
+            "stands (an admissible symmetric state exists) half_opening 4/9 pi friction tan 31/180 pi thickness 19/10 milankovitch",
+        ),
+        (
+            "asymmetric --alpha 2.3 --mu 1.05",
+            "asymmetric solution of (19), inner_sliding, half_opening 23/10 friction 21/20 milankovitch  thickness \
+             0.58308 to 5 digits",
+        ),
+    ] {
+        let made = printed(format!("certify {subject} --digits 5"));
+        let (code, output, _) = said(&fed("check -", made));
+        assert_eq!((code, output), (Some(0), format!("-: accepted  {told}\n")), "{subject}");
+    }
 }
 
 /// Next to half a turn the friction of pure sliding is 3e40.
@@ -348,7 +255,7 @@ fn an_arch_next_to_half_a_turn_has_a_certificate() {
 fn what_is_printed_compares_only_what_is_compared() {
     let mut made = verdict("1.5", "0.1", "1").clone();
     let printed = |made: &Value| {
-        let output = crate::program::fed(&["check", "-"], made.to_string());
+        let output = fed("check -", made.to_string());
         assert_eq!(output.status.code(), Some(0), "{made}");
         text(&output.stdout)
     };

@@ -1,12 +1,11 @@
 //! `couplet prove`.
 
-use super::printed;
-use crate::program::{Scratch, command, couplet, json, said};
+use crate::program::{Scratch, command, couplet, object, printed, refused, said};
 use serde_json::Value;
 
 #[test]
 fn claims_are_decided_and_a_misprint_is_no_failure() {
-    let file = json(&["prove", "--format", "json"]);
+    let file = object("prove");
     assert_eq!(file["schema"], "couplet.claims/3");
     let claims = file["claims"].as_array().unwrap();
     assert!(claims.len() >= 30);
@@ -32,7 +31,7 @@ fn claims_are_decided_and_a_misprint_is_no_failure() {
 /// that fewer join, and the pages say how many there are of each.
 #[test]
 fn how_much_rests_on_words_is_told() {
-    let file = json(&["prove", "--show", "--format", "json"]);
+    let file = object("prove --show");
     let claims = file["claims"].as_array().unwrap();
     let words = |claim: &Value, support: &str| -> usize {
         let steps = claim["derivation"].as_array().unwrap();
@@ -55,7 +54,7 @@ fn how_much_rests_on_words_is_told() {
     let last = format!(
         "; {own} by an argument in words, {beneath} resting on one; {joined} joined by sentences"
     );
-    let text = printed(&["prove"]);
+    let text = printed("prove");
     assert!(text.trim_end().ends_with(&last), "{last}: {}", text.lines().last().unwrap());
     let told = format!("{own} claims are carried by an argument in words, {beneath} rest on one");
     assert!(include_str!("../../../proofs/README.md").contains(&told), "{told}");
@@ -64,7 +63,7 @@ fn how_much_rests_on_words_is_told() {
 /// What the paper does not say is not refuted: it is an opinion, with a note.
 #[test]
 fn what_may_be_read_otherwise_is_no_refutation() {
-    let file = json(&["prove", "--index", "--format", "json"]);
+    let file = object("prove --index");
     let sentences = file["sentences"].as_array().unwrap();
     let of = |id: &str| {
         let bears = |of: &&Value| of["claims"].as_array().unwrap().iter().any(|c| c["id"] == *id);
@@ -81,7 +80,7 @@ fn what_may_be_read_otherwise_is_no_refutation() {
 
 #[test]
 fn a_derivation_can_be_followed() {
-    let text = printed(&["prove", "eq-7", "--show"]);
+    let text = printed("prove eq-7 --show");
     assert!(!text.contains("in words"));
     for line in [
         "S delta eta^3 + 3 (f + g) eta^2 - 12 (g - S) eta - 12 (f - g)",
@@ -91,8 +90,7 @@ fn a_derivation_can_be_followed() {
     ] {
         assert!(text.contains(line), "{line}");
     }
-    let all = ["unique-attained", "map-columns", "eq-9-11-signs", "survey-rise", "survey-worst"];
-    let text = printed(&[&["prove"], &all[..]].concat());
+    let text = printed("prove unique-attained map-columns eq-9-11-signs survey-rise survey-worst");
     for line in [
         "by checks and theorems of Coq",
         "by checks and an argument in words",
@@ -102,10 +100,10 @@ fn a_derivation_can_be_followed() {
     ] {
         assert!(text.contains(line), "{line}");
     }
-    let file = json(&["prove", "eq-8", "--show", "--format", "json"]);
+    let file = object("prove eq-8 --show");
     let steps = file["claims"][0]["derivation"].as_array().unwrap();
     assert!(steps.iter().all(|step| step["support"] == "algebra"));
-    let document = printed(&["prove", "eq-7-eta", "--show", "--format", "latex"]);
+    let document = printed("prove eq-7-eta --show --format latex");
     assert!(document.starts_with("\\documentclass") && document.ends_with("\\end{document}\n"));
     assert!(document.contains(r"S \delta_M {\eta}^{3} + 3 (f + g) {\eta}^{2}"));
 }
@@ -115,7 +113,7 @@ fn a_derivation_can_be_followed() {
 fn no_claim_waits_for_one_that_waits_for_it() {
     for _ in 0..10 {
         for threads in ["3", "6", "12"] {
-            let mut child = command(&["prove", "weights", "friction"])
+            let mut child = command("prove weights friction")
                 .env("RAYON_NUM_THREADS", threads)
                 .stdout(std::process::Stdio::null())
                 .spawn()
@@ -142,15 +140,16 @@ fn certificates_become_theorems() {
     let scratch = Scratch::new();
     let certificate = |name: &str, friction: &str| {
         let path = scratch.path(name);
-        let arch = ["certify", "state", "--alpha", "pi/2", "--mu", friction, "-o", &path];
-        assert_eq!(said(&couplet(&arch)).0, Some(0));
+        printed(format!("certify state --alpha pi/2 --mu {friction} -o {path}"));
         path
     };
     let (one, other) = (certificate("one.json", "0.5"), certificate("other.json", "0.6"));
     let folder = scratch.path("coq");
-    let made = couplet(&["prove", "--coq", &folder, "--certificate", &one, &other]);
-    let names = ["", "2"].map(|n| format!("{folder}/StateRotationalMilankovitch{n}.v\n"));
-    assert_eq!(said(&made), (Some(0), names.concat(), String::new()));
+    let made = printed(["prove", "--coq", &folder, "--certificate", &one, &other]);
+    assert_eq!(
+        made,
+        ["", "2"].map(|n| format!("{folder}/StateRotationalMilankovitch{n}.v\n")).concat()
+    );
     let first = scratch.read("coq/StateRotationalMilankovitch.v");
     let second = scratch.read("coq/StateRotationalMilankovitch2.v");
     let given = |mu: &str| format!("(Coefficient (Fraction {mu}))");
@@ -162,15 +161,11 @@ fn certificates_become_theorems() {
     {
         let empty = scratch.path("empty");
         let (found, output, message) =
-            said(&couplet(&["prove", "--coq", &empty, "--certificate", &one, file]));
+            said(&couplet(["prove", "--coq", &empty, "--certificate", &one, file]));
         assert_eq!((found, output.as_str()), (Some(code), ""), "{message}");
         assert!(message.contains(reason) && message.lines().count() == 1, "{message}");
         assert!(!std::path::Path::new(&empty).exists());
     }
-    for (given, missing) in
-        [(["--certificate", &one], "--coq"), (["--coq", &folder], "--certificate")]
-    {
-        let (code, _, message) = said(&couplet(&[&["prove"], &given[..]].concat()));
-        assert!(code == Some(2) && message.contains(missing), "{message}");
-    }
+    refused(["prove", "--certificate", &one], "", "--coq");
+    refused(["prove", "--coq", &folder], "", "--certificate");
 }

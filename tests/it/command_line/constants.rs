@@ -1,7 +1,7 @@
 //! `couplet constants` and `couplet audit`.
 
-use super::{exact, printed, stdout};
-use crate::program::{couplet, json};
+use super::exact;
+use crate::program::{object, printed};
 use couplet::number::Decimal;
 use serde_json::Value;
 
@@ -12,9 +12,7 @@ fn entry<'a>(file: &'a Value, list: &str, keys: &[(&str, &str)]) -> &'a Value {
 
 #[test]
 fn the_default_table_has_every_landmark_proved() {
-    let output = couplet(&["constants"]);
-    assert_eq!(output.status.code(), Some(0));
-    let text = stdout(&output);
+    let text = printed("constants");
     assert_eq!(text.matches("proved: one solution").count(), 14);
     for line in [
         "0.618318241074323446374432256517",
@@ -30,10 +28,10 @@ fn the_default_table_has_every_landmark_proved() {
 
 #[test]
 fn json_is_stable_and_its_bounds_enclose() {
-    let file = json(&["constants", "--digits", "25", "--format", "json"]);
+    let file = object("constants --digits 25");
     assert_eq!(file["schema"], "couplet.constants/1");
     assert_eq!(file["digits"], 25);
-    let more = json(&["constants", "--digits", "60", "--format", "json"]);
+    let more = object("constants --digits 60");
     let (few, many) =
         (file["constants"].as_array().unwrap(), more["constants"].as_array().unwrap());
     assert_eq!(few.len(), many.len());
@@ -67,17 +65,7 @@ fn json_is_stable_and_its_bounds_enclose() {
 
 #[test]
 fn landmarks_and_weights_are_selected() {
-    let file = json(&[
-        "constants",
-        "T",
-        "B",
-        "--weight",
-        "milankovitch",
-        "--digits",
-        "1000",
-        "--format",
-        "json",
-    ]);
+    let file = object("constants T B --weight milankovitch --digits 1000");
     let constants = file["constants"].as_array().unwrap();
     assert_eq!(constants.len(), 26);
     let thickness = entry(&file, "constants", &[("landmark", "T"), ("quantity", "thickness")]);
@@ -90,7 +78,7 @@ fn landmarks_and_weights_are_selected() {
 
 #[test]
 fn csv_has_a_row_for_each_constant() {
-    let text = printed(&["constants", "L", "--digits", "5", "--format", "csv"]);
+    let text = printed("constants L --digits 5 --format csv");
     assert_eq!(text.lines().count(), 27);
     assert!(text.starts_with("weight,landmark,quantity,value,lower,upper,exact\n"));
     assert!(text.contains("heyman,L,half_opening,2.7865,2.7864,2.7865,\n"), "{text}");
@@ -99,7 +87,7 @@ fn csv_has_a_row_for_each_constant() {
 
 #[test]
 fn the_audit_finds_what_the_tables_got_wrong() {
-    let file = json(&["audit", "--format", "json"]);
+    let file = object("audit");
     assert_eq!(file["schema"], "couplet.audit/2");
     let number = |place, landmark, quantity| {
         entry(&file, "printed", &[("place", place), ("landmark", landmark), ("quantity", quantity)])

@@ -1,7 +1,7 @@
 //! `couplet states` of many rows of one half opening, which share its proofs; and of some quantities alone.
 
 use super::stdout;
-use crate::program::{fed, refused};
+use crate::program::{fed, lines};
 use serde_json::Value;
 
 /// Two half openings of each kind: that rotate, that overturn, that fall whatever the friction.
@@ -15,25 +15,21 @@ fn grid(frictions: &[&str]) -> String {
 }
 
 /// The answers to a table, without the numbers of their lines.
-fn answers(arguments: &[&str], input: &str) -> Vec<Value> {
-    let output = fed(&[&["states", "--format", "jsonl"], arguments].concat(), input);
-    let row = |line: &str| {
-        let mut row: Value = serde_json::from_str(line).unwrap();
-        row.as_object_mut().unwrap().remove("line");
-        row
-    };
-    stdout(&output).lines().map(row).collect()
+fn answers(arguments: &str, input: &str) -> Vec<Value> {
+    let mut rows = lines(format!("states {arguments}"), input);
+    rows.iter_mut().for_each(|row| drop(row.as_object_mut().unwrap().remove("line")));
+    rows
 }
 
 /// So few rows of a half opening are proved one by one.
 #[test]
 fn rows_that_share_proofs_are_those_that_each_has_alone() {
-    for asked in [&["--digits", "17"][..], &["--digits", "30", "--quantity", "thickness,h"]] {
+    for asked in ["--digits 17", "--digits 30 --quantity thickness,h"] {
         let together = answers(asked, &grid(&FRICTIONS));
         let alone: Vec<Value> =
             FRICTIONS.chunks(2).flat_map(|some| answers(asked, &grid(some))).collect();
         assert_eq!(together.len(), OPENINGS.len() * FRICTIONS.len());
-        assert_eq!(together, alone, "{asked:?}");
+        assert_eq!(together, alone, "{asked}");
         let falls = together.iter().filter(|row| row["can_stand"] == false).count();
         assert!((8..30).contains(&falls), "{falls}");
     }
@@ -42,7 +38,7 @@ fn rows_that_share_proofs_are_those_that_each_has_alone() {
 #[test]
 fn only_what_is_asked_for_is_there() {
     let input = grid(&["0.1", "1.35"]);
-    let (all, some) = (answers(&[], &input), answers(&["--quantity", "eta"], &input));
+    let (all, some) = (answers("", &input), answers("--quantity eta", &input));
     for (all, some) in all.iter().zip(&some) {
         for key in
             ["half_opening", "friction", "verdict", "can_stand", "mode", "thickness", "reason"]
@@ -54,33 +50,19 @@ fn only_what_is_asked_for_is_there() {
         }
     }
     assert!(all.iter().any(|row| row["enough"].is_object()));
-    let header = |arguments: &[&str], input: &str| {
-        let output = fed(&[&["states", "--digits", "5"], arguments].concat(), input);
+    let header = |arguments: &str, input: &str| {
+        let output = fed(format!("states --digits 5 {arguments}"), input);
         stdout(&output).lines().next().unwrap().to_owned()
     };
     let names = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,thickness,reason,note,line,error";
-    for asked in [["--quantity", "thrust,thickness"], ["--quantities", "h,eta,h"]] {
-        assert!(header(&asked, &input).starts_with(names), "{}", header(&asked, &input));
+    for asked in ["--quantity thrust,thickness", "--quantities h,eta,h"] {
+        assert!(header(asked, &input).starts_with(names), "{}", header(asked, &input));
     }
     // Where rows may have a thickness, the least has its own name.
     let names = "weight,half_opening,friction,thickness,verdict,can_stand,stands,mode,asymmetric_thickness,least_thickness,thrust,reason";
-    let asked = ["--quantity", "thickness,thrust,least_thickness"];
-    assert!(header(&asked, "alpha,mu,eta\n1,1,\n1,1,0.1\n").starts_with(names));
-    let mixed = answers(&asked, "{\"alpha\":1,\"mu\":1}\n{\"alpha\":1,\"mu\":1,\"eta\":0.1}\n");
+    let asked = "--quantity thickness,thrust,least_thickness";
+    assert!(header(asked, "alpha,mu,eta\n1,1,\n1,1,0.1\n").starts_with(names));
+    let mixed = answers(asked, "{\"alpha\":1,\"mu\":1}\n{\"alpha\":1,\"mu\":1,\"eta\":0.1}\n");
     assert_eq!(mixed[0]["thickness"]["value"], mixed[1]["least_thickness"]["value"]);
     assert!(mixed[0]["thickness"].is_object() && mixed[1]["geometric_safety"].is_null());
-}
-
-#[test]
-fn a_quantity_that_rows_do_not_have_is_refused() {
-    for (name, words) in [
-        (
-            "geometric_safety",
-            "there is no geometric_safety here; the quantities are thickness, thrust",
-        ),
-        ("radius_m", "there is no radius_m here"),
-        ("thiknes", "did you mean \"thickness\"?"),
-    ] {
-        refused(&["states", "--quantity", name], "alpha,mu\n1,1\n", words);
-    }
 }

@@ -98,7 +98,7 @@ fn certificates_are_whole_whatever_ends_who_writes_them() {
         assert_eq!(hidden(scratch.folder()), [""; 0]);
         for name in scratch.files("o") {
             let file = scratch.path(&format!("o/{name}"));
-            assert!(command(&["check", &file]).output().unwrap().status.success(), "{name}");
+            assert!(command(["check", &file]).output().unwrap().status.success(), "{name}");
         }
     }
 }
@@ -120,7 +120,7 @@ fn bodies_that_were_killed_are_drawn_again() {
             names.filter(|name| !name.starts_with(".couplet-")).collect()
         };
         assert!(bodies().is_empty(), "{out}: {:?}", bodies());
-        let mut again = command(&draw("1"));
+        let mut again = command(draw("1"));
         let again = again.current_dir(scratch.path(folder)).status().unwrap();
         assert!(again.success(), "{out}");
         assert_eq!(bodies(), ["001-above.obj", "001-below.obj", "assemblies.json"]);

@@ -1,14 +1,9 @@
 //! Arches in metres: the numbers against those of a ring that is computed from its measures, and what is refused.
 
-use super::{exact, printed, stdout};
-use crate::program::{couplet, fed};
+use super::exact;
+use crate::program::{Scratch, couplet, fed, lines, object, printed, refused, rows};
 use rug::{Float, Rational};
 use serde_json::Value;
-
-fn object(arguments: &str) -> Value {
-    let words: Vec<&str> = arguments.split(' ').chain(["--format", "json"]).collect();
-    serde_json::from_str(&printed(&words)).unwrap()
-}
 
 /// The two bounds of a value.
 fn bounds(value: &Value) -> [Float; 2] {
@@ -23,10 +18,9 @@ fn holds(value: &Value, truth: &Float) {
 /// A bare ring that is a little short says nothing of the bridge.
 #[test]
 fn a_ring_that_nearly_stands_is_no_bridge() {
-    let arch = "assess --span 10.36m --rise 5.18m --friction 0.6 --thickness";
     for (thickness, is_near) in [("0.588m", true), ("0.5m", false), ("0.7m", false)] {
-        let words: Vec<&str> = arch.split(' ').chain([thickness]).collect();
-        let said = printed(&words);
+        let arch = "assess --span 10.36m --rise 5.18m --friction 0.6 --thickness";
+        let said = printed(format!("{arch} {thickness}"));
         let tolerance = format!("(--thickness {thickness}±5%)");
         assert_eq!(said.contains(&tolerance), is_near, "{said}");
     }
@@ -66,7 +60,7 @@ fn sizes_have_few_digits() {
 #[test]
 fn the_half_opening_is_that_of_the_measures() {
     for (span, rise) in [(10u32, 3u32), (10, 1), (3, 2), (7, 2)] {
-        let found = object(&format!("state --span {span}m --rise {rise}m --friction inf"));
+        let found = object(format!("state --span {span}m --rise {rise}m --friction inf"));
         let ratio = Float::with_val(300, Rational::from((2 * rise, span)));
         let degrees = ratio.atan() * 360u32 / Float::with_val(300, rug::float::Constant::Pi);
         holds(&found["half_opening_degrees"], &degrees);
@@ -74,7 +68,7 @@ fn the_half_opening_is_that_of_the_measures() {
     for (arch, degrees) in
         [("--span 10m --rise 5m", "90"), ("--radius 5m --half-opening 5pi/18", "50")]
     {
-        let found = object(&format!("state {arch} --friction inf"));
+        let found = object(format!("state {arch} --friction inf"));
         assert_eq!(found["half_opening_degrees"]["value"], degrees);
     }
 }
@@ -83,7 +77,7 @@ fn the_half_opening_is_that_of_the_measures() {
 #[test]
 fn thickness_and_forces_are_those_of_the_ring() {
     for (circle, outwards) in [("intrados", 1i32), ("centreline", 0), ("extrados", -1)] {
-        let found = object(&format!(
+        let found = object(format!(
             "assess --span 10m --rise 3m --thickness 600mm --measured-at {circle} --friction 0.6 \
              --density 24kN/m3 --depth 2m --digits 30"
         ));
@@ -103,7 +97,7 @@ fn thickness_and_forces_are_those_of_the_ring() {
         let [least, _] = bounds(&found["least_thickness_m"]);
         for (factor, stands) in [(1.000_001, true), (0.999_999, false)] {
             let thickness = Float::with_val(100, &least * factor).to_f64();
-            let beside = object(&format!(
+            let beside = object(format!(
                 "assess --span 10m --rise 3m --thickness {thickness}m --measured-at {circle} --friction 0.6"
             ));
             assert_eq!(beside["stands"], stands, "{circle} {factor}");
@@ -115,7 +109,7 @@ fn thickness_and_forces_are_those_of_the_ring() {
 #[test]
 fn a_rational_weight_is_exact() {
     for (alpha, weight) in [("1.5", Some("180")), ("1.25", Some("150")), ("86deg", None)] {
-        let found = object(&format!(
+        let found = object(format!(
             "assess --radius 4.75m --half-opening {alpha} --thickness 0.5m --friction 0.6 --density 24kN/m3 --depth 1m"
         ));
         let found = &found["weight_kn"];
@@ -127,8 +121,9 @@ fn a_rational_weight_is_exact() {
 /// The question is read back: as it was given, or computed from it, at every door.
 #[test]
 fn what_is_measured_is_told() {
-    let arch = "assess --span 10m --rise 3m --thickness 60cm --friction 0.6 --digits 5";
-    let found = object(arch);
+    let arch = "assess --span 10m --rise 3m --thickness 60cm --friction 0.6";
+    let with = |more: &str| printed(format!("{arch} --digits 5 {more}"));
+    let found = object(format!("{arch} --digits 5"));
     assert_eq!(found["measured_at"], "intrados", "as a clear span is");
     for (key, value) in [
         ("span_m", "10"),
@@ -139,8 +134,7 @@ fn what_is_measured_is_told() {
     ] {
         assert_eq!(found[key]["value"], value, "{key}");
     }
-    let words: Vec<&str> = arch.split(' ').collect();
-    let table = printed(&words);
+    let table = with("");
     // Is it safe, how large is all, and then what has no unit.
     let (verdict, told) = table.split_once("\n   geometric safety factor  3.8972\n").unwrap();
     assert!(verdict.contains("stands, proved") && !verdict.contains("factor"), "{table}");
@@ -148,48 +142,39 @@ fn what_is_measured_is_told() {
     let (measured, ratios) = measured.split_once("\n\nas ratios").unwrap();
     assert!(ratios.contains("\n   least thickness          0.025803\n"), "{table}");
     assert!(ratios.contains(", at 0.93922 rad = 53.81 deg\n"), "{table}");
-    let by_itself = printed(&words[..words.len() - 2]);
-    assert!(by_itself.contains("\n   geometric safety factor  3.89721\n"), "six: {by_itself}");
-    let rows: Vec<Vec<&str>> =
-        measured.lines().map(|row| row.split_whitespace().collect()).collect();
-    let names: Vec<&str> = rows.iter().map(|row| row[0]).collect();
-    let first =
-        ["measured_at", "span_m", "rise_m", "half_opening_degrees", "radius_m", "thickness_m"];
-    assert_eq!(names[..6], first, "{table}");
-    assert_eq!(names[6..], ["thickness_ratio", "least_thickness_m"], "{table}");
-    let csv = printed(&[&words[..], &["--format", "csv"]].concat());
+    assert!(printed(arch).contains("\n   geometric safety factor  3.89721\n"), "six digits");
+    let names = measured.lines().filter_map(|row| row.split_whitespace().next());
+    let first = "measured_at span_m rise_m half_opening_degrees radius_m thickness_m";
+    let all = format!("{first} thickness_ratio least_thickness_m");
+    assert_eq!(names.collect::<Vec<_>>().join(" "), all, "{table}");
+    let csv = with("--format csv");
     let header: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
-    for name in first {
-        assert!(header.contains(&name), "{name}");
-    }
+    assert!(first.split(' ').all(|name| header.contains(&name)), "{csv}");
     assert!(csv.contains(",intrados,") && csv.contains(",0.6,0.10056,"), "{csv}");
-    let latex = printed(&[&words[..], &["--format", "latex"]].concat());
+    let latex = with("--format latex");
     assert!(latex.contains("measured at its intrados"), "{latex}");
     let heads = r"$\mu$ & span, m & rise, m & $t$, m & least $t$, m & safety \\";
     assert!(latex.contains(heads) && latex.contains(r" & \num{3.8972} \\"), "{latex}");
-    for more in [&["--quantity=least_thickness_m"][..], &["--quantity=rise_m", "--weight=both"]] {
-        let table = printed(&[&words[..], &["--format=markdown"], more].concat());
-        let columns = table.lines().map(|line| line.matches('|').count());
-        assert!(columns.collect::<Vec<_>>().windows(2).all(|pair| pair[0] == pair[1]), "{table}");
-        assert!(table.contains("| verdict"), "{table}");
+    for more in ["--quantity=least_thickness_m", "--quantity=rise_m --weight=both", "--weight=both"]
+    {
+        let table = with(&format!("--format=markdown {more}"));
+        let columns: Vec<usize> = table.lines().map(|line| line.matches('|').count()).collect();
+        assert!(columns.windows(2).all(|pair| pair[0] == pair[1]), "{table}");
+        assert!(table.contains("| verdict") || more == "--weight=both", "{table}");
     }
     // A safety that rounds to one does not tell it.
     let near =
-        "assess --half-opening=80deg --radius=1m --measured-at=centreline --mu=0.6 --digits=3";
+        "assess --half-opening 80deg --radius 1m --measured-at centreline --mu 0.6 --digits 3";
     for (eta, verdict) in [("68.64mm", "collapses"), ("68.66mm", "stands")] {
-        let line = format!("{near} --thickness={eta} --format=markdown");
-        let table = printed(&line.split(' ').collect::<Vec<_>>());
+        let table = printed(format!("{near} --thickness={eta} --format=markdown"));
         assert!(table.contains(&format!("| {verdict} |")) && table.contains("| 1.00 |"), "{table}");
     }
-    let both = printed(&[&words[..], &["--format=markdown", "--weight=both"]].concat());
+    let both = with("--format=markdown --weight=both");
     let heads =
         "| mu | span, m | rise, m | t, m | least t, m (Heyman) | least t, m (Milankovitch) |";
     assert!(both.starts_with(heads), "what is given stands once: {both}");
-    let columns = both.lines().map(|line| line.matches('|').count());
-    assert!(columns.collect::<Vec<_>>().windows(2).all(|pair| pair[0] == pair[1]), "{both}");
     let falls = "assess --span=10m --rise=5m --thickness=60cm --mu=0.1 --format=markdown";
-    let falls = printed(&falls.split(' ').collect::<Vec<_>>());
-    assert!(falls.ends_with("| 0.1 | falls (sliding) | 10 | 5 | 0.6 |\n"), "{falls}");
+    assert!(printed(falls).ends_with("| 0.1 | falls (sliding) | 10 | 5 | 0.6 |\n"));
     let found =
         object("state --radius 5m --half-opening 80deg --friction 0.6 --measured-at extrados");
     assert_eq!(found["measured_at"], "extrados");
@@ -206,146 +191,59 @@ fn what_is_measured_is_told() {
 fn a_span_is_measured_at_the_intrados() {
     let arch = "assess --span 10m --rise 5m --thickness 60cm --friction 0.6 --digits 5";
     let at = |circle: &str| {
-        object(&format!("{arch} --measured-at {circle}"))["geometric_safety"]["value"].clone()
+        object(format!("{arch} --measured-at {circle}"))["geometric_safety"]["value"].clone()
     };
     assert_eq!(object(arch)["geometric_safety"]["value"], "1.0533");
     assert_eq!((at("intrados"), at("centreline")), ("1.0533".into(), "1.1165".into()));
 }
 
-/// An answer behind the question, which is told as it was written.
-fn without_question(mut answer: Value) -> Value {
-    assert!(answer.as_object_mut().unwrap().remove("asked").is_some());
-    answer
-}
-
 /// A ratio says that it is one, beside lengths and alone.
 #[test]
 fn a_thickness_beside_lengths_has_its_unit() {
-    let measured = "assess --span 10m --rise 3m --friction 0.6 --thickness";
-    let [metres, ratio] = ["60cm", "18/179r"].map(|eta| object(&format!("{measured} {eta}")));
+    let of = |arch: &str, eta: &str| {
+        let mut found = object(format!("assess {arch} --friction 0.6 --thickness {eta}"));
+        // The question is told as it was written.
+        assert!(found.as_object_mut().unwrap().remove("asked").is_some());
+        found
+    };
+    let [metres, ratio] = ["60cm", "18/179r"].map(|eta| of("--span 10m --rise 3m", eta));
     assert_eq!(metres["geometric_safety"], ratio["geometric_safety"]);
     assert_eq!(ratio["thickness_m"]["value"], "0.6");
-    let alone = "assess --half-opening 80deg --friction 0.6 --digits 17 --thickness";
-    let [with, without] = ["0.1r", "0.1"].map(|eta| object(&format!("{alone} {eta}")));
-    assert_eq!(without_question(with.clone()), without_question(without));
-    for command in ["assess --span 10m --rise 3m", "draw --radius 5m --half-opening 1"] {
-        for eta in ["0.1", "3/5", "1.5"] {
-            let line = format!("{command} --friction 0.6 --thickness {eta}");
-            let words: Vec<&str> = line.split(' ').collect();
-            let output = couplet(&words);
-            let error = String::from_utf8(output.stderr.clone()).unwrap();
-            assert_eq!(output.status.code(), Some(2), "{line}");
-            assert!(stdout(&output).is_empty() && error.lines().count() == 1, "{error}");
-            assert!(error.contains(&format!("{eta}m ")) && error.contains(&format!("{eta}r,")));
-        }
-    }
-    let rows = fed(&["states", "--quantity", "geometric_safety"], "alpha,mu,eta\n80deg,0.6,0.1r\n");
-    let cell = with["geometric_safety"]["value"].as_str().unwrap();
-    assert!(stdout(&rows).contains(cell), "{rows:?}");
+    let [with, without] = ["0.1r", "0.1"].map(|eta| of("--half-opening 80deg --digits 17", eta));
+    assert_eq!(with, without);
+    let asked = "states --quantity geometric_safety";
+    let row = &rows(fed(asked, "alpha,mu,eta\n80deg,0.6,0.1r\n").stdout)[0];
+    assert_eq!(with["geometric_safety"]["value"], row["geometric_safety"]);
 }
 
-/// What is exact is rounded so, ties too.
+/// What is exact is rounded so, ties too. The sine of 30 degrees is a half, the cosine of 60 too.
 #[test]
 fn a_radius_is_rounded_to_even() {
-    let found = object(
-        "state --radius 5.125m --half-opening 1 --friction 1 --digits 3 --measured-at centreline",
-    );
-    assert_eq!(found["radius_m"]["value"], "5.12");
-    // The sine of 30 degrees is a half, the cosine of 60 too.
-    let found = object("state --radius 5.125m --half-opening 30deg --friction 1 --digits 3");
-    assert_eq!(found["span_m"]["value"], "5.12");
-    let found = object("state --radius 10.25m --half-opening 60deg --friction 1 --digits 3");
-    assert_eq!(found["rise_m"]["value"], "5.12");
-    let found = object(
-        "assess --radius 5m --half-opening 1 --friction 1 --thickness 25cm --measured-at intrados --digits 3",
-    );
-    assert_eq!(found["radius_m"]["value"], "5.12");
+    for (line, name) in [
+        ("state --radius 5.125m --half-opening 1 --measured-at centreline", "radius_m"),
+        ("state --radius 5.125m --half-opening 30deg", "span_m"),
+        ("state --radius 10.25m --half-opening 60deg", "rise_m"),
+        ("assess --radius 5m --half-opening 1 --thickness 25cm --measured-at intrados", "radius_m"),
+    ] {
+        let found = object(format!("{line} --friction 1 --digits 3"));
+        assert_eq!(found[name]["value"], "5.12", "{line}");
+    }
 }
 
 #[test]
 fn a_certificate_holds_a_half_opening_by_its_tangent() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("arch.json");
-    let file = file.to_str().unwrap();
-    let made = couplet(&[
-        "certify",
-        "state",
-        "--alpha",
-        "2atan(3/5)",
-        "--mu",
-        "0.6",
-        "--digits",
-        "40",
-        "-o",
-        file,
-    ]);
-    assert_eq!(made.status.code(), Some(0));
-    let text = std::fs::read_to_string(file).unwrap();
+    let scratch = Scratch::new();
+    let file = scratch.path("arch.json");
+    printed(format!("certify state --alpha 2atan(3/5) --mu 0.6 --digits 40 -o {file}"));
+    let text = scratch.read("arch.json");
     assert!(text.contains("\"2 atan 3/5\""), "{text}");
     for engine in ["mpfr", "astro"] {
-        assert_eq!(
-            couplet(&["check", file, "--engine", engine]).status.code(),
-            Some(0),
-            "{engine}"
-        );
+        printed(["check", &file, "--engine", engine]);
     }
     for wrong in ["2 atan 4/5", "2 atan 3/5 pi", "atan 3/5", "3/5"] {
-        std::fs::write(file, text.replace("2 atan 3/5", wrong)).unwrap();
-        assert_eq!(couplet(&["check", file]).status.code(), Some(1), "{wrong}");
+        scratch.write("arch.json", text.replace("2 atan 3/5", wrong));
+        assert_eq!(couplet(["check", &file]).status.code(), Some(1), "{wrong}");
     }
-}
-
-#[test]
-fn wrong_measures_are_one_line() {
-    for (arguments, why) in [
-        ("--span 10 --rise 3m", "'10' is not a length"),
-        ("--span 10m", "--rise"),
-        ("--span 10m --rise -3m", "-3m is not above 0"),
-        ("--span 10m --rise 3m --radius 5m", "contradicts"),
-        (
-            "--span 10m --rise 3m --half-opening 1",
-            "--half-opening 1 contradicts --span and --rise, which make it 61.927512deg to 61.927514deg",
-        ),
-        ("--span 10m --rise 3m --density 2400kg/m3", "--depth"),
-        ("--span 10m --rise 3m --density 2400 --depth 1m", "'2400' is not a density"),
-        ("--half-opening 1 --density 24kN/m3 --depth 1m", "need a size"),
-        ("--half-opening 1 --measured-at intrados", "--measured-at needs a size"),
-        ("--span 10m --rise 3m --measured-at middle", "intrados, centreline, extrados"),
-        ("--span 10m --rise 3m --quantity weight_kn", "there is no weight_kn here"),
-        ("--span 10m --rise 3m --at T", "cannot be used"),
-    ] {
-        let words: Vec<&str> = ["state"].into_iter().chain(arguments.split(' ')).collect();
-        let words = if arguments.ends_with('T') {
-            words
-        } else {
-            [words, vec!["--friction", "1"]].concat()
-        };
-        let output = couplet(&words);
-        let error = String::from_utf8(output.stderr.clone()).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{arguments}");
-        assert!(error.lines().count() == 1 && error.contains(why), "{arguments}: {error}");
-        assert!(stdout(&output).is_empty());
-    }
-    let too_thick = couplet(&[
-        "assess",
-        "--radius",
-        "5m",
-        "--half-opening",
-        "1",
-        "--friction",
-        "1",
-        "--thickness",
-        "6m",
-        "--measured-at",
-        "extrados",
-    ]);
-    assert_eq!(too_thick.status.code(), Some(2));
-    let no_radius =
-        "assess --radius 5m --half-opening 1 --friction 1 --thickness 2r --measured-at intrados";
-    let output = couplet(&no_radius.split(' ').collect::<Vec<&str>>());
-    let error = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2));
-    assert!(error.lines().count() == 1 && error.contains("is a point"), "{error}");
 }
 
 /// By a radius and a span, or a rise, at each circle: the measures are told as they were given, the half opening is
@@ -359,7 +257,7 @@ fn a_radius_makes_the_arc_of_a_span_or_a_rise() {
             ("--rise 830mm", "rise_m", None),
             ("--rise 2.5m", "rise_m", None),
         ] {
-            let found = object(&format!("assess {chord} --radius 1995mm {at}"));
+            let found = object(format!("assess {chord} --radius 1995mm {at}"));
             let given: &str = chord.split(' ').next_back().unwrap();
             let metres = given.parse::<couplet::problem::measures::Length>().unwrap();
             let told = couplet::number::decimal(metres.metres());
@@ -373,7 +271,7 @@ fn a_radius_makes_the_arc_of_a_span_or_a_rise() {
             holds(&found["half_opening_degrees"], &(alpha.clone() * 180u32 / &pi));
             let near = [1.0 - 1e-9, 1.0, 1.0 + 1e-9].map(|factor| {
                 let alpha = Float::with_val(300, &alpha * factor).to_string_radix(10, Some(30));
-                let by = object(&format!("assess --half-opening {alpha} --radius 1995mm {at}"));
+                let by = object(format!("assess --half-opening {alpha} --radius 1995mm {at}"));
                 bounds(&by["least_thickness"])[0].clone()
             });
             let [least, _] = bounds(&found["least_thickness"]);
@@ -382,90 +280,73 @@ fn a_radius_makes_the_arc_of_a_span_or_a_rise() {
         }
     }
     let of = "--span 3300mm --radius 1995mm --friction 0.5..0.6 --thickness 12cm";
-    assert!(printed(&words(&format!("assess {of}"))).contains("every arch stands, proved"));
+    assert!(printed(format!("assess {of}")).contains("every arch stands, proved"));
     let of_ranges = "--rise 830mm±1cm --radius 1995mm --friction 0.6 --thickness 12cm";
-    assert!(printed(&words(&format!("assess {of_ranges}"))).contains("every arch stands, proved"));
-    for line in [
-        "certify state --span 3300mm --radius 1995mm --friction 0.6",
-        &format!("certify survey {of}"),
-    ] {
-        let output = couplet(&words(line));
-        let error = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{error}");
-        assert!(
-            error.contains("no certificate holds atan(√(12100/5589)): give span and rise"),
-            "{error}"
-        );
-    }
-}
-
-fn words(line: &str) -> Vec<&str> {
-    line.split(' ').collect()
+    assert!(printed(format!("assess {of_ranges}")).contains("every arch stands, proved"));
 }
 
 /// Every command that takes an arch reads it in metres, and answers as of its ratios.
 #[test]
 fn an_arch_in_metres_is_the_same_at_every_command() {
-    let measured = "--span 18.9m --rise 4.2m --friction 0.6";
-    let ratios = "--half-opening 2atan(4/9) --friction 0.6";
-    for (command, thickness) in [
-        ("assess --stones 41 --digits 9", ["90cm", "48/703"]),
-        ("assess --stones 41 --tilt 5deg --digits 9", ["90cm", "48/703"]),
-        ("assess --tilt 0.1 --digits 9", ["90cm", "48/703"]),
-        ("voussoirs --stones 40 --digits 9", ["90cm", "48/703"]),
-        ("voussoirs --stones 11..13 --digits 5", ["", ""]),
-        ("state --stones 7 --digits 9", ["", ""]),
-        ("certify arch --digits 9", ["90cm", "48/703"]),
-        ("complementarity --stones 9 --digits 9", ["90cm", "48/703"]),
+    let answered = |line: String| {
+        let out = printed(line);
+        // Sizes are of the measured one alone, and the question is told as it was written.
+        let out = match out.split_once("\nas measured") {
+            Some((before, rest)) => {
+                let after = rest.split_once("\n\n").map(|(_, after)| format!("\n{after}"));
+                before.to_owned() + &after.unwrap_or_default()
+            }
+            None => out,
+        };
+        let said = |line: &str| line.contains("self-weight alone") || line.contains("\"words\"");
+        out.lines().filter(|line| !said(line)).map(str::to_owned).collect::<Vec<_>>()
+    };
+    for (command, has_thickness) in [
+        ("assess --stones 41 --digits 9", true),
+        ("assess --stones 41 --tilt 5deg --digits 9", true),
+        ("assess --tilt 0.1 --digits 9", true),
+        ("voussoirs --stones 40 --digits 9", true),
+        ("voussoirs --stones 11..13 --digits 5", false),
+        ("state --stones 7 --digits 9", false),
+        ("certify arch --digits 9", true),
+        ("complementarity --stones 9 --digits 9", true),
     ] {
-        let [one, other] = [(measured, thickness[0]), (ratios, thickness[1])].map(|(arch, eta)| {
-            let eta = if eta.is_empty() { String::new() } else { format!(" --thickness {eta}") };
-            let line = format!("{command} {arch}{eta}");
-            let out = printed(&line.split(' ').collect::<Vec<_>>());
-            // Sizes are of the measured one alone, and the question is told as it was written.
-            let out = match out.split_once("\nas measured") {
-                Some((before, rest)) => {
-                    let after = rest.split_once("\n\n").map(|(_, after)| format!("\n{after}"));
-                    before.to_owned() + &after.unwrap_or_default()
-                }
-                None => out,
-            };
-            let said =
-                |line: &str| line.contains("self-weight alone") || line.contains("\"words\"");
-            out.lines().filter(|line| !said(line)).map(str::to_owned).collect::<Vec<_>>()
-        });
-        assert_eq!(one, other, "{command}");
+        let eta = |eta| if has_thickness { format!("--thickness {eta}") } else { String::new() };
+        let measured = format!("{command} --span 18.9m --rise 4.2m --friction 0.6 {}", eta("90cm"));
+        let ratios =
+            format!("{command} --half-opening 2atan(4/9) --friction 0.6 {}", eta("48/703"));
+        assert_eq!(answered(measured), answered(ratios), "{command}");
     }
-    let found = |line: &str| printed(&line.split(' ').collect::<Vec<_>>());
-    let of = "--plain --quantity friction --digits 12";
+    let found =
+        |arch| printed(format!("find friction {arch} --plain --quantity friction --digits 12"));
     assert_eq!(
-        found(&format!("find friction --span 18.9m --rise 4.2m --thickness 90cm {of}")),
-        found(&format!("find friction --half-opening 2atan(4/9) --thickness 48/703 {of}"))
+        found("--span 18.9m --rise 4.2m --thickness 90cm"),
+        found("--half-opening 2atan(4/9) --thickness 48/703")
     );
 }
 
 /// The end of a file's name asks for a picture: that of `couplet draw`.
 #[test]
 fn an_answer_is_a_picture_where_its_file_is_one() {
-    let folder = tempfile::tempdir().unwrap();
-    let picture = |name: &str, line: &str| {
-        let path = folder.path().join(name);
-        let words: Vec<&str> = line.split(' ').chain(["-o", path.to_str().unwrap()]).collect();
-        printed(&words);
+    let scratch = Scratch::new();
+    let file = scratch.path("a.svg");
+    let picture = |line: &str| {
+        printed(format!("{line} -o {file}"));
         // The caption has the command, which is another.
-        let text = std::fs::read_to_string(path).unwrap();
+        let text = scratch.read("a.svg");
         let lines = text.lines().filter(|line| !line.contains("couplet "));
         lines.map(str::to_owned).collect::<Vec<_>>()
     };
     let bridge = "--span 18.9m --rise 4.2m --friction 0.6";
     for (command, rest) in
-        [("assess", " --thickness 90cm --stones 41"), ("state", ""), ("state", " --stones 9")]
+        [("assess", "--thickness 90cm --stones 41"), ("state", ""), ("state", "--stones 9")]
     {
         let [one, other] =
-            [command, "draw"].map(|name| picture("a.svg", &format!("{name} {bridge}{rest}")));
+            [command, "draw"].map(|name| picture(&format!("{name} {bridge} {rest}")));
         assert_eq!(one, other, "{command}{rest}");
         assert!(one.len() > 20);
     }
+    std::fs::remove_file(&file).unwrap();
     for (line, why) in [
         ("state --alpha 1 --mu 1 --weight both", "one weight"),
         ("state --alpha 1 --mu 1 --quantity eta", "leave out --quantity"),
@@ -473,63 +354,46 @@ fn an_answer_is_a_picture_where_its_file_is_one() {
         ("state --alpha 1 --mu 1 --joints 0,0.5,1", "say the same"),
         ("state --mu 1 --joints 0,0.5,1", "stones of one angle"),
     ] {
-        let path = folder.path().join("b.svg");
-        let words: Vec<&str> = line.split(' ').chain(["-o", path.to_str().unwrap()]).collect();
-        let output = couplet(&words);
-        let error = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{line}: {error}");
-        assert!(
-            error.lines().count() == 1 && error.contains(why) && !path.exists(),
-            "{line}: {error}"
-        );
+        refused(format!("{line} -o {file}"), "", why);
+        assert!(scratch.files(".").is_empty(), "{line}");
     }
 }
 
 /// Rows in metres have the answers of the same arches by the command, and their errors.
 #[test]
 fn rows_may_be_in_metres() {
-    let rows = "span,rise,radius,half_opening,friction,thickness,measured_at\n\
-                10m,3m,,,0.6,60cm,\n33ft,9ft,,,31deg,,extrados\n,,5m,80deg,0.6,0.1r,centreline\n,,,1,0.6,0.1,\n\
-                10m,,,,0.6,,\n10m,3m,,1,0.6,,\n10m,3m,,,0.6,0.1,\n,,5m,,0.6,,\n1,3m,,,0.6,,\n";
-    let output = fed(&["states", "--digits", "9"], rows);
+    let table = "span,rise,radius,half_opening,friction,thickness,measured_at\n\
+                 10m,3m,,,0.6,60cm,\n33ft,9ft,,,31deg,,extrados\n,,5m,80deg,0.6,0.1r,centreline\n,,,1,0.6,0.1,\n\
+                 10m,,,,0.6,,\n10m,3m,,1,0.6,,\n10m,3m,,,0.6,0.1,\n,,5m,,0.6,,\n1,3m,,,0.6,,\n";
+    let output = fed("states --digits 9", table);
     assert_eq!(output.status.code(), Some(2));
-    let text = stdout(&output);
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let header = reader.headers().unwrap().clone();
-    let records: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    let cell = |row: usize, name: &str| {
-        let place = header.iter().position(|column| column == name).unwrap();
-        records[row].get(place).unwrap().to_owned()
-    };
-    for (row, line) in [
+    let found = rows(&output.stdout);
+    for (row, line) in found.iter().zip([
         "assess --span 10m --rise 3m --friction 0.6 --thickness 60cm",
         "state --span 33ft --rise 9ft --friction 31deg --measured-at extrados",
         "assess --radius 5m --half-opening 80deg --friction 0.6 --thickness 0.1r --measured-at centreline",
         "assess --half-opening 1 --friction 0.6 --thickness 0.1",
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        let answer = object(&format!("{line} --digits 9"));
+    ]) {
+        let answer = object(format!("{line} --digits 9"));
         for name in ["least_thickness_m", "radius_m", "span_m", "measured_at", "geometric_safety"] {
             let value = &answer[name];
             let value = value["value"].as_str().or(value.as_str()).unwrap_or_default();
-            assert_eq!(cell(row, name), value, "{line} {name}");
+            assert_eq!(row[name], value, "{line} {name}");
         }
     }
-    for (row, why) in [
-        (4, "span needs rise"),
-        (5, "half_opening 1 contradicts span and rise"),
-        (6, "has no unit"),
-        (7, "the half_opening is empty"),
-        (8, "'1' is not a length"),
-    ] {
-        assert!(cell(row, "error").contains(why), "{}", cell(row, "error"));
+    for (row, why) in found[4..].iter().zip([
+        "span needs rise",
+        "half_opening 1 contradicts span and rise",
+        "has no unit",
+        "the half_opening is empty",
+        "'1' is not a length",
+    ]) {
+        assert!(row["error"].contains(why), "{row:?}");
     }
+    assert_eq!(found.len(), 9);
     // An object of JSON has its sizes, another none.
-    let rows = "{\"span\":\"10m\",\"rise\":\"3m\",\"mu\":0.6}\n{\"alpha\":1,\"mu\":0.6}\n";
-    let text = stdout(&fed(&["states", "--format", "jsonl"], rows));
-    let all: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let all = "{\"span\":\"10m\",\"rise\":\"3m\",\"mu\":0.6}\n{\"alpha\":1,\"mu\":0.6}\n";
+    let all = lines("states", all);
     assert_eq!(all[0]["span_m"]["value"], "10");
     assert!(all[1].get("span_m").is_none() && all[0].get("thickness_m").is_none());
 }

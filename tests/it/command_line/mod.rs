@@ -16,7 +16,6 @@ mod ranges;
 mod rows;
 mod states;
 mod study;
-mod wrong;
 
 use crate::program::{couplet, text};
 use couplet::number::Decimal;
@@ -28,23 +27,16 @@ fn stdout(output: &Output) -> String {
     text(&output.stdout)
 }
 
-/// What a command prints.
-fn printed(arguments: &[&str]) -> String {
-    stdout(&couplet(arguments))
-}
-
 fn exact(text: &Value) -> Rational {
     text.as_str().unwrap().parse::<Decimal>().unwrap().to_rational()
 }
 
 #[test]
 fn help_goes_to_standard_output() {
-    for arguments in
-        [&["--help"][..], &["constants", "--help"], &["audit", "--help"], &["--version"]]
-    {
+    for arguments in ["--help", "constants --help", "audit --help", "--version"] {
         let output = couplet(arguments);
-        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+        assert_eq!(output.status.code(), Some(0), "{arguments}");
         assert!(output.stderr.is_empty() && !output.stdout.is_empty());
     }
-    assert_eq!(couplet(&[]).status.code(), Some(2));
+    assert_eq!(couplet("").status.code(), Some(2));
 }

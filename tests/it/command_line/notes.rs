@@ -3,7 +3,7 @@
 use crate::program::{couplet, said};
 
 fn asked(line: &str) -> (Option<i32>, String, String) {
-    said(&couplet(&line.split(' ').collect::<Vec<_>>()))
+    said(&couplet(line))
 }
 
 /// At every door of the command that reads a friction, once.

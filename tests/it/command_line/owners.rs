@@ -29,7 +29,7 @@ fn is_root() -> bool {
 fn as_another_user(scratch: &Scratch) -> Command {
     set_mode(&scratch.path("."), 0o777);
     if !is_root() {
-        return command(&[]);
+        return command([]);
     }
     // Where the program lies is perhaps nobody else's.
     let program = scratch.path("program");
@@ -51,7 +51,7 @@ fn permissions_are_kept() {
     {
         scratch.write("f", "old");
         set_mode(&scratch.path("f"), given);
-        assert_eq!(write(&mut command(&[]), &scratch.path("f")).status.code(), Some(0));
+        assert_eq!(write(&mut command([]), &scratch.path("f")).status.code(), Some(0));
         assert_eq!(mode(&scratch, "f"), kept);
         assert!(scratch.read("f").contains("2.7865"));
     }
@@ -82,7 +82,7 @@ fn an_owner_is_kept() {
         let path = scratch.path("f");
         set_mode(&path, mode);
         std::os::unix::fs::chown(&path, Some(owner), Some(owner)).unwrap();
-        let mut program = if owner == 0 { as_another_user(&scratch) } else { command(&[]) };
+        let mut program = if owner == 0 { as_another_user(&scratch) } else { command([]) };
         assert_eq!(said(&write(&mut program, &path)), (Some(0), String::new(), String::new()));
         let file = fs::metadata(&path).unwrap();
         assert_eq!((file.uid(), file.gid(), self::mode(&scratch, "f")), (owner, owner, mode));
@@ -97,7 +97,7 @@ fn a_link_is_followed_and_stays() {
     let scratch = Scratch::new();
     scratch.write("f", "old");
     symlink("f", scratch.path("link")).unwrap();
-    assert_eq!(write(&mut command(&[]), &scratch.path("link")).status.code(), Some(0));
+    assert_eq!(write(&mut command([]), &scratch.path("link")).status.code(), Some(0));
     assert!(fs::symlink_metadata(scratch.path("link")).unwrap().is_symlink());
     assert!(scratch.read("f").contains("2.7865"));
 }
@@ -107,7 +107,7 @@ fn a_link_that_leads_nowhere_is_not_replaced() {
     let scratch = Scratch::new();
     symlink("nothing", scratch.path("link")).unwrap();
     let path = scratch.path("link");
-    let (code, _, message) = said(&couplet(&["constants", "L", "-o", &path]));
+    let (code, _, message) = said(&couplet(["constants", "L", "-o", &path]));
     let words = format!("couplet: cannot write {path}: it is a link that leads nowhere\n");
     assert_eq!((code, message), (Some(3), words));
     assert!(fs::symlink_metadata(&path).unwrap().is_symlink());

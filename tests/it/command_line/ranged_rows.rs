@@ -1,20 +1,16 @@
 //! `couplet states --ranges`: rows of which each is about all arches between its ends.
 
 use super::stdout;
-use crate::program::{couplet, fed, refused, text};
+use crate::program::{fed, lines, of_lines, rows, text};
 use serde_json::Value;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-fn rows(arguments: &[&str], input: impl AsRef<[u8]>) -> Vec<Value> {
-    let all = [&["states", "--ranges", "--format", "jsonl"], arguments].concat();
-    let output = stdout(&fed(&all, input));
-    output.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+fn objects(arguments: &str, input: &str) -> Vec<Value> {
+    lines(format!("states --ranges {arguments}"), input)
 }
 
-fn table(arguments: &[&str], input: &str) -> Vec<BTreeMap<String, String>> {
-    let all = [&["states", "--ranges", "--format", "csv"], arguments].concat();
-    let output = fed(&all, input);
-    csv::Reader::from_reader(&output.stdout[..]).deserialize().map(Result::unwrap).collect()
+fn table(arguments: &str, input: &str) -> Vec<BTreeMap<String, String>> {
+    rows(fed(format!("states --ranges {arguments}"), input).stdout)
 }
 
 fn end<'a>(row: &'a Value, quantity: &str, end: &str) -> &'a Value {
@@ -32,39 +28,17 @@ const ROWS: &str = "weight,alpha,span,rise,mu,eta\n\
     milankovitch,2.4..2.9,,,0.6..0.9,\n\
     milankovitch,1..1.1,,,0.3,\n";
 
-/// The same questions, asked one by one.
-const ASKED: [&str; 7] = [
-    "assess --weight heyman --alpha 80deg±1deg --mu 0.6±10% --eta 0.1..0.12",
-    "assess --alpha 1.5..1.6 --mu 31deg±1deg --eta 0.06±0.01",
-    "assess --alpha 1.5..1.6 --mu 0.5..inf --eta 0.09..0.2",
-    "assess --weight heyman --alpha 2..2.3 --mu inf --eta 0.2..0.3",
-    "assess --weight heyman --span 10m±10cm --rise 3m±5cm --mu 0.5 --eta 15cm+-1cm",
-    "state --alpha 2.4..2.9 --mu 0.6..0.9",
-    "state --alpha 1..1.1 --mu 0.3",
-];
-
-#[test]
-fn a_row_is_answered_as_the_question_is_by_itself() {
-    let all = rows(&["--digits", "9"], ROWS);
-    assert_eq!(all.len(), ASKED.len());
-    for (row, asked) in all.iter().zip(ASKED) {
-        let line: Vec<&str> = asked.split(' ').collect();
-        let alone = couplet(&[&line[..], &["--digits", "9", "--format", "json"]].concat());
-        let alone: Value = serde_json::from_slice(&alone.stdout).unwrap();
-        let mut row = row.clone();
-        row.as_object_mut().unwrap().remove("line").unwrap();
-        assert_eq!(row, alone, "{asked}");
-    }
-    let outcomes: Vec<&str> = all.iter().map(|row| row["outcome"].as_str().unwrap()).collect();
-    assert!(outcomes.contains(&"all_stand") && outcomes.contains(&"none_stands"));
-    assert!(outcomes.contains(&"both_occur") && outcomes.contains(&"all_can_stand"));
-}
-
 #[test]
 fn a_table_has_the_ends_that_the_objects_have() {
-    let (objects, cells) = (rows(&[], ROWS), table(&[], ROWS));
+    let (objects, cells) = (objects("", ROWS), table("", ROWS));
     let names: Vec<&String> = cells[0].keys().collect();
     assert!(!names.iter().any(|name| *name == "least_thickness"), "{names:?}");
+    let outcomes: BTreeSet<&str> =
+        objects.iter().filter_map(|row| row["outcome"].as_str()).collect();
+    assert_eq!(
+        Vec::from_iter(outcomes),
+        ["all_can_stand", "all_stand", "both_occur", "none_can_stand", "none_stands"]
+    );
     let mut told = 0;
     for (row, cells) in objects.iter().zip(&cells) {
         assert_eq!(row["outcome"].as_str(), Some(&*cells["outcome"]));
@@ -93,11 +67,11 @@ fn a_table_has_the_ends_that_the_objects_have() {
     assert_eq!(measured["thickness"], "14cm..16cm");
     assert!(measured["half_opening"].starts_with("2atan("), "{measured:?}");
     assert!(!measured["least_thickness_m_upper"].is_empty());
-    let states = table(&[], "alpha,mu\n1,1\n");
+    let states = table("", "alpha,mu\n1,1\n");
     assert!(
         states[0].contains_key("thrust_upper") && !states[0].contains_key("least_thrust_upper")
     );
-    let chosen = table(&["--quantity", "thickness"], ROWS);
+    let chosen = table("--quantity thickness", ROWS);
     assert_eq!(chosen[0]["least_thickness_upper"], cells[0]["least_thickness_upper"]);
     assert!(!chosen[0].contains_key("geometric_safety_lower"));
 }
@@ -109,11 +83,9 @@ fn a_range_of_one_value_is_answered_as_the_point_is() {
         heyman,1.5,inf,0.3\nmilankovitch,2.6,0.7,1.9\nmilankovitch,80deg,0.6,\nheyman,2.2,1.1,\n\
         milankovitch,1e-3,0.3,0.01\n";
     let same = points.replace("80deg,0.6", "80deg±0,0.6..3/5").replace("pi/2,", "90deg..pi/2,");
-    let output = fed(&["states", "--format", "jsonl"], points);
-    let alone: Vec<Value> =
-        stdout(&output).lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let alone = lines("states", points);
     let same = same.replace("±0,", "±0%,");
-    for ranged in [rows(&[], points), rows(&[], &same)] {
+    for ranged in [objects("", points), objects("", &same)] {
         let mut compared = 0;
         for (one, ranged) in alone.iter().zip(&ranged) {
             for range in ranged["ranges"].as_array().unwrap() {
@@ -144,12 +116,11 @@ fn a_bad_row_is_told_in_its_row() {
     let input = "weight,alpha,mu,eta,id\n,1..1.1,0.7..0.6,0.1,a\n,1..,0.6,0.1,b\n,..,0.6,0.1,c\n\
         ,1..2..3,0.6,0.1,d\n,80..82deg,1,0.1,e\n,1..4,1,0.1,f\n,1,0.1±0.2,0.1,g\n,1..2,1,50cm..60cm,h\n\
         heymann,1,1,0.1,i\n,1..2,,0.1,j\n,1..1.2,0.6±10%,0.1,k\n,1,±5%,0.1,l\n,1,inf..1,0.1,m\n";
-    let output = fed(&["states", "--ranges", "--format", "jsonl", "--keep", "id"], input);
+    let output = fed("states --ranges --format jsonl --keep id", input);
     assert_eq!(output.status.code(), Some(2));
     let told = text(&output.stderr);
     assert!(told.contains("12 of 13 rows could not be read"), "{told}");
-    let all: Vec<Value> =
-        stdout(&output).lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let all = of_lines(&text(&output.stdout));
     for (index, (row, why)) in all
         .iter()
         .zip([
@@ -181,7 +152,7 @@ fn a_bad_row_is_told_in_its_row() {
             }
         }
     }
-    let cells = table(&["--keep", "id"], input);
+    let cells = table("--keep id", input);
     assert_eq!((&*cells[0]["id"], &*cells[0]["outcome"], &*cells[0]["line"]), ("a", "", "2"));
     assert!(cells[0]["error"].contains("is empty") && cells[10]["error"].is_empty());
 }
@@ -189,31 +160,24 @@ fn a_bad_row_is_told_in_its_row() {
 #[test]
 fn without_the_option_a_range_is_refused_with_its_name() {
     let rows = "alpha,mu,eta\n1,0.5..0.6,0.1\n1,1,0.1\n1,1,0.1±1%\n";
-    let output = fed(&["states"], rows);
+    let output = fed("states", rows);
     assert_eq!(output.status.code(), Some(2));
     let told = stdout(&output);
     let lines: Vec<&str> = told.lines().collect();
     assert!(lines[1].contains("friction 0.5..0.6 is a range: `couplet states --ranges`"), "{told}");
     assert!(lines[3].contains("thickness 0.1±1% is a range") && lines[2].contains("proved"));
-    let judged = fed(&["judge", "-", "--format", "csv"], "alpha,mu,thickness\n1,0.5..0.6,0.1\n");
+    let judged = fed("judge - --format csv", "alpha,mu,thickness\n1,0.5..0.6,0.1\n");
     assert_eq!(judged.status.code(), Some(2));
     let told = stdout(&judged);
     assert!(told.contains("is not judged") && told.contains("--ranges --keep all"), "{told}");
-    refused(
-        &["states", "--ranges", "--format", "parquet"],
-        rows,
-        "only as csv, jsonl, not parquet",
-    );
-    refused(&["states", "--ranges", "--quantity", "mode"], rows, "quantity");
 }
 
 /// Texts of a table in degrees with decimal commas, and lists of JSON.
 #[test]
 fn ranges_are_spelt_as_numbers_are() {
-    let exact = &rows(&[], "alpha,mu,eta\n80.5deg..81.5deg,0.55..0.65,0.1\n")[0];
+    let exact = &objects("", "alpha,mu,eta\n80.5deg..81.5deg,0.55..0.65,0.1\n")[0];
     let commas = "a;mu;eta\n80,5..81,5;0,55..0,65;0,1\n81±0,5;0,6±0,05;0,1\n";
-    let columns = ["--columns", "a=half_opening:deg,mu,eta"];
-    for row in rows(&columns, commas) {
+    for row in objects("--columns a=half_opening:deg,mu,eta", commas) {
         assert_eq!(row["ranges"], exact["ranges"]);
     }
     let lists = "{\"alpha\":[\"80.5deg\",\"81.5deg\"],\"mu\":[0.55,0.65],\"eta\":0.1}\n\
@@ -221,7 +185,7 @@ fn ranges_are_spelt_as_numbers_are() {
         {\"alpha\":1,\"mu\":[0.5],\"eta\":0.1}\n{\"alpha\":1,\"mu\":[0.5,0.6,0.7],\"eta\":0.1}\n\
         {\"alpha\":1,\"mu\":[null,0.6],\"eta\":0.1}\n{\"alpha\":1,\"mu\":[[0,1],0.6],\"eta\":0.1}\n\
         {\"alpha\":1,\"mu\":[0.6,0.5],\"eta\":0.1}\n";
-    let all = rows(&[], lists);
+    let all = objects("", lists);
     for row in &all[..2] {
         for side in ["lower", "upper"] {
             for name in ["least_thickness", "geometric_safety", "required_friction"] {
@@ -243,7 +207,7 @@ fn rows_come_in_their_order() {
         let wide = if id % 7 == 0 { "0.2..inf" } else { "0.6..0.61" };
         input += &format!("1..1.{:03},{wide},0.1,{id}\n", id % 999 + 1);
     }
-    let cells = table(&["--keep", "id", "--quantity", "geometric_safety"], &input);
+    let cells = table("--keep id --quantity geometric_safety", &input);
     assert_eq!(cells.len(), 1500);
     for (id, row) in cells.iter().enumerate() {
         assert_eq!((row["id"].parse(), row["line"].parse()), (Ok(id), Ok(id + 2)));

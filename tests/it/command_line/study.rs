@@ -1,16 +1,14 @@
 //! `couplet study`.
 
-use super::{printed, stdout};
-use crate::program::{Scratch, couplet, said, text};
+use crate::program::{Scratch, couplet, printed, said};
 use std::path::Path;
 
 #[test]
 fn a_study_writes_its_numbers_and_figures() {
     let scratch = Scratch::new();
     let folder = scratch.path("out");
-    let output =
-        couplet(&["study", "stability", "--quick", "--only", "eta-to-two", "--output", &folder]);
-    let table = stdout(&output);
+    let line = format!("study stability --quick --only eta-to-two --output {folder}");
+    let (_, table, said) = said(&couplet(line));
     assert!(table.contains("lost by the problem itself") && table.contains("(15) as printed"));
     let read = |name: &str| std::fs::read_to_string(format!("{folder}/{name}")).unwrap();
     let rows = read("stability.csv");
@@ -19,12 +17,11 @@ fn a_study_writes_its_numbers_and_figures() {
     assert!(read("digits-left.svg").starts_with("<svg"));
     let pixels = Path::new(&folder).join("digits-left.png");
     assert_eq!(pixels.exists(), cfg!(feature = "plots"));
-    let said = text(&output.stderr);
     assert_eq!(said.is_empty(), cfg!(feature = "plots"), "{said}");
     if !cfg!(feature = "plots") {
         assert!(said.lines().count() == 1 && said.contains("SVG only"), "{said}");
     }
-    let table = printed(&["study", "accuracy", "--quick", "--only", "half-opening"]);
+    let table = printed("study accuracy --quick --only half-opening");
     assert!(table.contains("half-opening  one proved root, balls of MPFR"), "{table}");
     assert!(!table.contains("fail"), "{table}");
 }
@@ -35,7 +32,7 @@ fn states_are_measured_as_the_command_proves_them() {
     let scratch = Scratch::new();
     let folder = scratch.path("acc");
     let table =
-        printed(&["study", "accuracy", "--quick", "--only", "landmark,state", "-o", &folder]);
+        printed(["study", "accuracy", "--quick", "--only", "landmark,state", "-o", &folder]);
     for method in [
         "one proved root, balls of MPFR",
         "one proved root, astro-float",
@@ -57,7 +54,7 @@ fn states_are_measured_as_the_command_proves_them() {
 fn a_name_of_a_file_makes_no_folder() {
     let scratch = Scratch::new();
     let file = scratch.path("acc.svg");
-    let (code, output, message) = said(&couplet(&["study", "stability", "--quick", "-o", &file]));
+    let (code, output, message) = said(&couplet(["study", "stability", "--quick", "-o", &file]));
     assert_eq!((code, output.as_str()), (Some(2), ""));
     assert!(message.contains("looks like a file") && message.lines().count() == 1, "{message}");
     assert!(!Path::new(&file).exists());

@@ -5,28 +5,16 @@ use crate::program::{couplet, text};
 const PAGE: &str = include_str!("../../../docs/limits.md");
 
 /// Questions beyond a limit.
-const BEYOND: [&[&str]; 9] = [
-    &["state", "--half-opening", "1", "--friction", "1", "--digits", "0"],
-    &["voussoirs", "--half-opening", "1", "--friction", "1", "--stones", "1"],
-    &[
-        "voussoirs",
-        "--half-opening",
-        "1",
-        "--friction",
-        "1",
-        "--thickness",
-        "1",
-        "--tilt",
-        "0.1",
-        "--stones",
-        "5000",
-    ],
-    &["complementarity", "--half-opening", "1", "--friction", "1", "--stones", "1000"],
-    &["draw", "--half-opening", "1", "--friction", "1", "--stones", "1", "--format", "svg"],
-    &["sample", "--count", "x"],
-    &["map", "--tolerance", "5"],
-    &["state", "--half-opening", "1", "--friction", "1", "--threads", "0"],
-    &["state", "--half-opening", "1e-2000", "--friction", "1"],
+const BEYOND: [&str; 9] = [
+    "state --half-opening 1 --friction 1 --digits 0",
+    "voussoirs --half-opening 1 --friction 1 --stones 1",
+    "voussoirs --half-opening 1 --friction 1 --thickness 1 --tilt 0.1 --stones 5000",
+    "complementarity --half-opening 1 --friction 1 --stones 1000",
+    "draw --half-opening 1 --friction 1 --stones 1 --format svg",
+    "sample --count x",
+    "map --tolerance 5",
+    "state --half-opening 1 --friction 1 --threads 0",
+    "state --half-opening 1e-2000 --friction 1",
 ];
 
 /// The numbers that a refusal names behind `to`, `most` or `below`, as the page has them.

@@ -1,11 +1,11 @@
 //! Completions and manual pages: each knows every command, and the programs that read them do not complain.
 
-use crate::program::couplet;
+use crate::program::{couplet, printed, said, shell};
 use std::process::{Command, Stdio};
 
 /// The commands of this build, from its help.
 pub(super) fn commands() -> Vec<String> {
-    let help = String::from_utf8(couplet(&["--help"]).stdout).unwrap();
+    let help = String::from_utf8(couplet("--help").stdout).unwrap();
     let (groups, _) = help.split_once("\nOptions:").unwrap();
     let lines = groups.lines().skip(4).filter_map(|line| line.strip_prefix("  "));
     lines.map(|line| line.split_whitespace().next().unwrap().to_owned()).collect()
@@ -14,21 +14,16 @@ pub(super) fn commands() -> Vec<String> {
 /// The help of each command ends with examples, and they work, one after the other in a folder that was empty.
 #[test]
 fn the_examples_of_the_help_work() {
-    let program = std::path::Path::new(env!("CARGO_BIN_EXE_couplet")).parent().unwrap();
-    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
     let all = commands();
     assert!(all.len() >= 20 && all.contains(&"state".to_owned()), "{all:?}");
     for name in all.iter().filter(|name| !["completions", "man"].contains(&name.as_str())) {
-        let help = String::from_utf8(couplet(&[name, "--help"]).stdout).unwrap();
+        let help = String::from_utf8(couplet([name, "--help"]).stdout).unwrap();
         let (_, examples) = help.split_once("\nExamples:\n").unwrap_or_else(|| panic!("{name}"));
         let folder = tempfile::tempdir().unwrap();
         assert!(examples.lines().all(|line| line.chars().count() <= 78), "{examples}");
         for example in examples.replace(" \\\n", " ").lines() {
-            let mut shell = Command::new("sh");
-            shell.args(["-c", example]).env("PATH", &path).current_dir(folder.path());
-            let output = shell.output().unwrap();
-            let said = String::from_utf8_lossy(&output.stderr);
-            assert!(output.status.success(), "{example}: {said}");
+            let (code, _, said) = said(&shell(example, folder.path()));
+            assert_eq!(code, Some(0), "{example}: {said}");
             assert!(example.contains(&format!("couplet {name}")), "{example}");
         }
     }
@@ -46,7 +41,7 @@ fn other_words_for_a_command_are_it() {
         ("arch", "assess"),
         ("bridge", "assess"),
     ] {
-        assert_eq!(couplet(&[word, "--help"]).stdout, couplet(&[name, "--help"]).stdout, "{word}");
+        assert_eq!(couplet([word, "--help"]).stdout, couplet([name, "--help"]).stdout, "{word}");
     }
 }
 
@@ -62,7 +57,7 @@ fn complaint(program: &str, arguments: &[&str]) -> Option<String> {
 fn the_completions_name_every_command() {
     let folder = tempfile::tempdir().unwrap();
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        let output = couplet(&["completions", shell]);
+        let output = couplet(["completions", shell]);
         assert_eq!(output.status.code(), Some(0), "{shell}");
         let script = String::from_utf8(output.stdout).unwrap();
         for name in commands() {
@@ -81,7 +76,7 @@ fn the_completions_name_every_command() {
 fn every_command_has_a_page() {
     let scratch = tempfile::tempdir().unwrap();
     let folder = scratch.path().join("made/man1").to_str().unwrap().to_owned();
-    assert_eq!(couplet(&["man", &folder]).status.code(), Some(0));
+    printed(["man", &folder]);
     let mut pages: Vec<String> = std::fs::read_dir(&folder)
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
@@ -103,7 +98,7 @@ fn every_command_has_a_page() {
 
 #[test]
 fn the_page_of_couplet_itself_goes_to_standard_output() {
-    let output = couplet(&["man"]);
+    let output = couplet("man");
     let page = String::from_utf8(output.stdout).unwrap();
     assert!(output.status.success() && page.contains("Exit codes: 0 everything asked was proved"));
     for name in commands() {
@@ -114,16 +109,7 @@ fn the_page_of_couplet_itself_goes_to_standard_output() {
 
 #[test]
 fn what_cannot_be_written_is_named() {
-    for (arguments, message) in [
-        (&["completions", "ksh"][..], "bash, elvish, fish, powershell, zsh"),
-        (&["completions"], "<SHELL>"),
-    ] {
-        let output = couplet(arguments);
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(said.lines().count() == 1 && said.contains(message), "{said}");
-    }
-    let output = couplet(&["man", "/dev/null/pages"]);
+    let output = couplet("man /dev/null/pages");
     let said = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(3));
     assert!(said.lines().count() == 1 && said.contains("/dev/null/pages"), "{said}");

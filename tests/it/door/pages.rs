@@ -1,7 +1,7 @@
 //! Every command that the README or `docs/commands.md` shows is run, and prints what is shown.
 
+use crate::program::{said, shell};
 use std::path::Path;
-use std::process::Command;
 
 const PAGES: [(&str, &str); 3] = [
     ("README.md", include_str!("../../../README.md")),
@@ -75,8 +75,6 @@ fn what_is_missing_is_seen() {
 
 /// In an empty folder; a file that is shown by `cat` is written first.
 fn run(page: &str, name: &str) -> usize {
-    let program = Path::new(env!("CARGO_BIN_EXE_couplet")).parent().unwrap();
-    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
     let folder = tempfile::tempdir().unwrap();
     let all = examples(page);
     for Example { command, shown } in &all {
@@ -84,12 +82,8 @@ fn run(page: &str, name: &str) -> usize {
             let content = format!("{}\n", shown.join("\n").trim_end());
             std::fs::write(folder.path().join(file), content).unwrap();
         }
-        let mut shell = Command::new("sh");
-        shell.args(["-c", command]).env("PATH", &path).current_dir(folder.path());
-        let output = shell.output().unwrap();
-        let printed = String::from_utf8(output.stdout).unwrap();
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert!(output.status.success() && said.is_empty(), "{name}: {command}: {said}");
+        let (code, printed, said) = said(&shell(command, folder.path()));
+        assert!(code == Some(0) && said.is_empty(), "{name}: {command}: {said}");
         if let Some(line) = missing(&printed, shown) {
             panic!("{name}: {command} does not print\n{line}\nbut\n{printed}");
         }
@@ -136,11 +130,4 @@ fn no_link_of_a_page_leads_nowhere() {
             assert!(!local || there, "{}: {link}", page.display());
         }
     }
-}
-
-/// The README is one page.
-#[test]
-fn the_readme_is_short() {
-    let words = PAGES[0].1.split_whitespace().count();
-    assert!(words <= 850, "{words} words");
 }

@@ -33,7 +33,7 @@ fn the_page_of_published_arches_says_what_is_proved() {
     let command =
         PAGE.lines().find_map(|line| line.strip_prefix("couplet states examples/arches.csv "));
     let options: Vec<&str> = command.unwrap().split(' ').collect();
-    let answers = couplet(&[&["states", TABLE], &options[..]].concat());
+    let answers = couplet([&["states", TABLE], &options[..]].concat());
     assert_eq!(answers.status.code(), Some(0), "{}", text(&answers.stderr));
     let (given, answers) = (given(), rows(&text(&answers.stdout)));
     assert_eq!(given.len(), answers.len());
@@ -95,7 +95,7 @@ fn published_blocks_have_the_answer_of_their_arch() {
             "--stones".into(),
             row["blocks"].clone(),
         ]);
-        let found = json(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+        let found = json(arguments.iter().map(String::as_str).collect::<Vec<_>>());
         let outcome = found["outcome"].as_str().unwrap().replace('_', " ");
         assert_eq!(outcome, page[row["name"].as_str()], "{}", row["name"]);
     }

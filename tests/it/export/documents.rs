@@ -78,7 +78,7 @@ fn the_hash_is_that_of_what_certify_writes() {
 #[test]
 fn where_there_is_no_hash_is_a_reason() {
     let arguments = ["constants", "L", "--weight", "heyman", "--digits", "10001"];
-    let output = couplet(&[&arguments[..], &["--format", "json"]].concat());
+    let output = couplet([&arguments[..], &["--format", "json"]].concat());
     let json: Value = serde_json::from_slice(&output.stdout).unwrap();
     let certificate = &json["proofs"][0]["certificate"];
     assert_eq!(certificate["sha256"], Value::Null);

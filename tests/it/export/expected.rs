@@ -88,7 +88,7 @@ pub(super) fn all() -> &'static BTreeMap<String, Expected> {
 
 fn find() -> BTreeMap<String, Expected> {
     let [few, many] = ["3", "60"].map(|digits| {
-        let output = couplet(&["constants", "--digits", digits, "--format", "json"]);
+        let output = couplet(["constants", "--digits", digits, "--format", "json"]);
         serde_json::from_slice::<Value>(&output.stdout).unwrap()["constants"].clone()
     });
     let pairs = few.as_array().unwrap().iter().zip(many.as_array().unwrap());

@@ -6,7 +6,6 @@ mod languages;
 #[cfg(feature = "parquet")]
 pub(crate) mod parquet;
 mod readers;
-mod refused;
 pub(crate) mod schemas;
 mod states;
 
@@ -17,7 +16,7 @@ use std::process::Command;
 
 /// What `couplet constants` writes in a format, with as few digits as would show a double made of them.
 fn constants(format: &str) -> Vec<u8> {
-    let output = couplet(&["constants", "--digits", "3", "--format", format]);
+    let output = couplet(["constants", "--digits", "3", "--format", format]);
     assert_eq!(output.status.code(), Some(0), "{format}");
     assert!(output.stderr.is_empty(), "{format}");
     output.stdout

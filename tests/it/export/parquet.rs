@@ -81,7 +81,7 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     for i in 1..=3000 {
         input += &format!("milankovitch,{i}/1200,2\n");
     }
-    let output = fed(&["states", "--format", "parquet", "--digits", "5"], &input);
+    let output = fed("states --format parquet --digits 5", &input);
     assert_eq!(output.status.code(), Some(2), "one row is bad");
     let half_opening = groups(output.stdout.clone()).into_iter().flatten();
     let half_opening = half_opening.filter(|(name, ..)| name == "half_opening_rad");
@@ -104,15 +104,12 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     assert_eq!(of(4)["quantity"], Field::Null);
     assert_eq!(text(&of(4)["status"]), "refused");
     assert!(text(&of(4)["reason"]).contains("banana"));
-    let kept =
-        fed(&["states", "--format", "parquet", "--keep", "all"], "alpha,mu,id,mode\n1,1,7,x\n");
+    let kept = fed("states --format parquet --keep all", "alpha,mu,id,mode\n1,1,7,x\n");
     let (kept, _) = read(kept.stdout);
     assert_eq!((text(&kept[0]["id"]), text(&kept[0]["input_mode"])), ("7", "x"));
     assert_eq!(double(&kept[0]["half_opening_deg"]), 57.29577951308232f64.to_bits());
-    let assessed = fed(
-        &["states", "--format", "parquet"],
-        "weight,alpha,mu,thickness\nheyman,pi/2,0.38,0.2\n",
-    );
+    let assessed =
+        fed("states --format parquet", "weight,alpha,mu,thickness\nheyman,pi/2,0.38,0.2\n");
     let (rows, _) = read(assessed.stdout);
     assert_eq!(
         (text(&rows[0]["quantity"]), text(&rows[0]["thickness"])),
@@ -134,7 +131,7 @@ fn states_are_those_of_csv_cell_by_cell() {
         input += &format!("milankovitch,{k}/150,{k}/170,{eta},{k},\n");
     }
     let asked = ["states", "--keep", "all", "--columns", "all", "--format"];
-    let written = |format: &str| fed(&[&asked[..], &[format]].concat(), &input).stdout;
+    let written = |format: &str| fed([&asked[..], &[format]].concat(), &input).stdout;
     let (rows, _) = read(written("parquet"));
     let shown = |field: &Field| match field {
         Field::Null => String::new(),
@@ -193,7 +190,7 @@ fn states_are_those_of_csv_cell_by_cell() {
 
 #[test]
 fn no_queries_make_a_file_without_rows() {
-    let output = fed(&["states", "--format", "parquet"], "weight,alpha,mu\n");
+    let output = fed("states --format parquet", "weight,alpha,mu\n");
     assert_eq!(output.status.code(), Some(0));
     assert!(read(output.stdout).0.is_empty());
 }

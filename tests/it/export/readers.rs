@@ -24,7 +24,7 @@ fn written() -> Scratch {
     for format in ["csv", "jsonl"] {
         let (queries, file) = (scratch.path("queries.csv"), scratch.path("states") + "." + format);
         let written = ["--format", format, "--columns", "doubles", "-o", &file];
-        let output = couplet(&[&["states", &queries], &written[..]].concat());
+        let output = couplet([&["states", &queries], &written[..]].concat());
         assert_eq!(output.status.code(), Some(0), "{format}");
     }
     scratch

@@ -1,6 +1,6 @@
 //! Every JSON that is written is as its schema in `docs/schemas/` says, and nothing more.
 
-use crate::program::{Scratch, couplet, fed, json, text};
+use crate::program::{Scratch, couplet, fed, object, printed, text};
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
 use std::fs;
@@ -25,21 +25,8 @@ fn is_of(value: &Value, name: &str) -> bool {
 }
 
 /// The words of JSON Schema that our schemas use.
-const WORDS: [&str; 13] = [
-    "$schema",
-    "$id",
-    "$defs",
-    "$ref",
-    "title",
-    "description",
-    "type",
-    "properties",
-    "required",
-    "additionalProperties",
-    "items",
-    "enum",
-    "const",
-];
+const WORDS: &str = "$schema $id $defs $ref title description type properties required additionalProperties items enum \
+                     const anyOf";
 
 /// What is wrong with a value, if anything; a key that no schema names is.
 fn fault(schema: &Value, root: &Value, value: &Value) -> Option<String> {
@@ -47,7 +34,7 @@ fn fault(schema: &Value, root: &Value, value: &Value) -> Option<String> {
         return None;
     }
     for word in schema.as_object().unwrap().keys() {
-        assert!(WORDS.contains(&word.as_str()) || word == "anyOf", "{word} is not understood here");
+        assert!(WORDS.split(' ').any(|known| known == word), "{word} is not understood here");
     }
     if let Some(name) = schema["$ref"].as_str() {
         let definition = root.pointer(name.strip_prefix('#').unwrap());
@@ -128,7 +115,7 @@ fn sweeps(scratch: &Scratch) -> Vec<String> {
     ];
     for plan in plans.iter().filter(|_| cfg!(feature = "parquet")) {
         scratch.write("plan.toml", format!("schema = \"couplet.sweep/1\"\n{plan}"));
-        couplet(&["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("sweeps")]);
+        couplet(["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("sweeps")]);
     }
     let mut names = scratch.files("sweeps");
     names.retain(|name| name.ends_with(".json"));
@@ -147,7 +134,7 @@ fn what_is_written_is_as_the_schemas_say() {
         alpha = { from = 1, to = 3, boxes = 2 }\noutput = \"d.json\"\n";
     scratch.write("scene.toml", scene);
     let out = scratch.path("out");
-    assert_eq!(couplet(&["run", &scratch.path("scene.toml"), "-o", &out]).status.code(), Some(0));
+    printed(["run", &scratch.path("scene.toml"), "-o", &out]);
     let mut documents =
         ["a", "b", "c", "d"].map(|name| scratch.read(&format!("out/{name}.json"))).to_vec();
     documents.push(scratch.read("out/couplet-run.json"));
@@ -160,296 +147,97 @@ fn what_is_written_is_as_the_schemas_say() {
     }
     // Nearer to the tangent of the half opening than can be told.
     let open = rug::Float::with_val(40_000, 0.5).tan().to_string_radix(10, Some(11_000));
-    let near = ["--alpha", "pi/2", "--mu", "0.3958320381380695", "--weight", "heyman"];
     for line in [
-        &[&["state", "--format", "json"], &near[..]].concat()[..],
-        &["state", "--alpha", "1", "--mu", "0", "--format", "json"],
-        &["state", "--alpha", "1", "--mu", "1", "--digits", "17", "--format", "json"],
-        &[
-            "assess", "--alpha", "80deg", "--mu", "1", "--eta", "0.2", "--digits", "17",
-            "--format", "json",
-        ],
-        &["find", "half-opening", "--mu", "0.6", "--eta", "0.15", "--format", "json"],
-        &["find", "half-opening", "--mu", "0", "--format", "json"],
-        &["find", "boundary", "rrs/ss", "--alpha", "2.5", "--digits", "17", "--format", "json"],
-        &["find", "boundary", "rrs/ss", "--mu", "1", "--format", "json"],
-        &["assess", "--alpha", "1/2", "--mu", &open, "--eta", "0.6", "--format", "json"],
-        &["state", "--at", "T", "--format", "json"],
-        &["map", "--weight", "both", "--tolerance", "1e-3", "--format", "json"],
-        &["map", "--alpha", "80deg,2.58", "--format", "json"],
-        &["map", "point", "sliding", "--at", "1.2", "--digits", "5", "--format", "json"],
-        &["map", "difference", "--tolerance", "1e-2", "--format", "json"],
-        &["voussoirs", "--alpha", "pi/2", "--mu", "0.35", "--stones", "20", "--format", "json"],
-        &[
-            "assess", "--alpha", "pi/2", "--mu", "0.4", "--eta", "0.15", "--tilt", "0.1",
-            "--digits", "6", "--format", "json",
-        ],
-        &[
-            "assess", "--alpha", "1/2", "--mu", "2", "--eta", "0.7", "--tilt", "5deg", "--format",
-            "json",
-        ],
-        &[
-            "draw", "--span", "33ft", "--rise", "10ft", "--eta", "2ft", "--mu", "1", "--format",
-            "json",
-        ],
-        &[
-            "draw", "--alpha", "pi/2", "--mu", "0.4", "--eta", "0.15", "--tilt", "0.1", "--stones",
-            "9", "--format", "json",
-        ],
-        &["draw", "--alpha", "80deg", "--mu", "0.6", "--eta", "0.1..0.12", "--format", "json"],
-        &["voussoirs", "--joints", "0,1", "--mu", "1/9", "--format", "json"],
-        &[
-            "voussoirs",
-            "--alpha",
-            "80deg",
-            "--mu",
-            "inf",
-            "--stones",
-            "10",
-            "--eta",
-            "1.9",
-            "--format",
-            "json",
-        ],
-        &[
-            "voussoirs",
-            "--alpha",
-            "pi/2",
-            "--mu",
-            "0.6",
-            "--stones",
-            "11",
-            "--eta",
-            "0.1",
-            "--format",
-            "json",
-        ],
-        &[
-            "voussoirs",
-            "--alpha",
-            "pi/2",
-            "--mu",
-            "0.4",
-            "--stones",
-            "11",
-            "--eta",
-            "0.15",
-            "--tilt",
-            "0.05",
-            "--format",
-            "json",
-        ],
-        &["complementarity", "--alpha", "2.3", "--mu", "1.07", "--format", "json"],
-        &["complementarity", "--alpha", "2.5", "--mu", "0.1", "--format", "json"],
-        &["complementarity", "--alpha", "2.3", "--mu", "1.05", "--stones", "8", "--format", "json"],
-        &["complementarity", "--alpha", "1", "--mu", "0.1", "--stones", "5", "--format", "json"],
-        &["complementarity", "--alpha", "1", "--mu", "inf", "--stones", "2", "--format", "json"],
-        &[
-            "complementarity",
-            "--alpha",
-            "1",
-            "--mu",
-            "inf",
-            "--stones",
-            "2",
-            "--eta",
-            "1.2",
-            "--format",
-            "json",
-        ],
-        &[
-            "complementarity",
-            "--alpha",
-            "2.3",
-            "--mu",
-            "1.05",
-            "--stones",
-            "8",
-            "--half",
-            "--eta",
-            "least",
-            "--format",
-            "json",
-        ],
-        &[
-            "complementarity",
-            "--alpha",
-            "2.3",
-            "--mu",
-            "1.05",
-            "--eta",
-            "0.55",
-            "--stones",
-            "6",
-            "--format",
-            "json",
-        ],
-        &[
-            "complementarity",
-            "--alpha",
-            "2.3",
-            "--mu",
-            "1.05",
-            "--eta",
-            "0.3",
-            "--stones",
-            "6",
-            "--format",
-            "json",
-        ],
-        &[
-            "complementarity",
-            "--alpha",
-            "1",
-            "--mu",
-            "2",
-            "--stones",
-            "3",
-            "--thickness",
-            "least",
-            "--format",
-            "json",
-        ],
-        &[
-            "complementarity",
-            "--alpha",
-            "2.2",
-            "--mu",
-            "2",
-            "--stones",
-            "8",
-            "--thickness",
-            "1.83",
-            "--format",
-            "json",
-        ],
-        &[
-            "complementarity",
-            "--weight",
-            "heyman",
-            "--alpha",
-            "1.066",
-            "--mu",
-            "0.303",
-            "--stones",
-            "5",
-            "--thickness",
-            "1.096",
-            "--format",
-            "json",
-        ],
-        &["state", "--beta", "1.0", "--format", "json"],
-        &["state", "--beta", "0.66", "--mu", "1.6", "--format", "json"],
-        &["state", "--beta", "1.2", "--weight", "heyman", "--format", "json"],
-        &["state", "--thrust", "0.01", "--mu", "0.6", "--format", "json"],
-        &["state", "--opening-variable", "0.7", "--format", "json"],
-        &["state", "--eta", "0.15", "--mu", "0.6", "--format", "json"],
-        &["equation", "4", "--alpha", "1", "--eta", "0.1", "--format", "json"],
-        &["equation", "16", "--eta", "1", "--format", "json"],
-        &["equation", "7", "--beta", "1.0", "--weight", "heyman", "--format", "json"],
-        &["equation", "7", "--beta", "1.2", "--format", "json"],
-        &["equation", "8", "--beta", "3", "--weight", "heyman", "--format", "json"],
-        &["equation", "9", "--beta", "57deg", "--weight", "milankovitch", "--format", "json"],
-        &["equation", "12", "--beta", "1.2", "--format", "json"],
-        &["complementarity", "--alpha", "2.21", "--branch", "--format", "json"],
-        &["complementarity", "--alpha", "2", "--branch", "--format", "json"],
-        &["map", "--asymmetric", "--tolerance", "1e-2", "--format", "json"],
-        &["state", "--span=10m", "--rise=3m", "--mu=0.6", "--format", "json"],
-        &["state", "--radius=5m", "--alpha=1", "--mu=0.1", "--format", "json"],
-        &["assess", "--span=10m", "--rise=3m", "--mu=0.6", "--eta=60cm", "--format", "json"],
-        &["state", "--alpha=1.4..2.6", "--mu=0.2..inf", "--format", "json"],
-        &["assess", "--alpha=80deg±1deg", "--mu=0.6±10%", "--eta=0.12", "--format", "json"],
-        &["find", "half-opening", "--mu=0..0.6", "--eta=0.12", "--format", "json"],
-        &["find", "friction", "--alpha=80deg±1deg", "--eta=0.12", "--format", "json"],
-        &["voussoirs", "--alpha=1", "--stones=2", "--mu=0.6±10%", "--format", "json"],
-        &[
-            "assess",
-            "--span=10m±2cm",
-            "--rise=3m±1cm",
-            "--mu=0.2..0.6",
-            "--eta=60cm±1cm",
-            "--format",
-            "json",
-        ],
-        &[
-            "voussoirs",
-            "--span=10m",
-            "--rise=3m",
-            "--stones=9",
-            "--mu=0.6",
-            "--density=24kN/m3",
-            "--depth=1m",
-            "--format",
-            "json",
-        ],
-        &[
-            "voussoirs",
-            "--radius=3m",
-            "--alpha=1",
-            "--stones=9",
-            "--mu=1",
-            "--eta=60cm",
-            "--density=24kN/m3",
-            "--depth=1m",
-            "--format",
-            "json",
-        ],
-        &[
-            "assess",
-            "--radius=3m",
-            "--alpha=1",
-            "--mu=1",
-            "--eta=60cm",
-            "--tilt=5deg",
-            "--density=24kN/m3",
-            "--depth=1m",
-            "--format",
-            "json",
-        ],
-        &["draw", "--at", "T", "--format", "json"],
-        &["draw", "--alpha", "80deg", "--mu", "0.35", "--eta", "0.16", "--format", "json"],
-        &["draw", "--alpha", "2.62", "--mu", "inf", "--format", "json"],
-        &["draw", "--alpha", "1.2", "--mu", "1", "--radius", "5m", "--format", "json"],
-        &[
-            "draw",
-            "--span",
-            "10m",
-            "--rise",
-            "3m",
-            "--mu",
-            "0.6",
-            "--eta",
-            "60cm",
-            "--density",
-            "24kN/m3",
-            "--depth",
-            "1m",
-            "--format",
-            "json",
-        ],
-        &["audit", "--format", "json"],
-        &["constants", "--digits", "20", "--format", "json"],
-        &["prove", "eq-16", "--show", "--format", "json"],
-        &["prove", "eq-8", "--format", "json"],
-        &["prove", "--index", "--format", "json"],
+        "state --alpha pi/2 --mu 0.3958320381380695 --weight heyman",
+        "state --alpha 1 --mu 0",
+        "state --alpha 1 --mu 1 --digits 17",
+        "assess --alpha 80deg --mu 1 --eta 0.2 --digits 17",
+        "find half-opening --mu 0.6 --eta 0.15",
+        "find half-opening --mu 0",
+        "find boundary rrs/ss --alpha 2.5 --digits 17",
+        "find boundary rrs/ss --mu 1",
+        &format!("assess --alpha 1/2 --mu {open} --eta 0.6"),
+        "state --at T",
+        "map --weight both --tolerance 1e-3",
+        "map --alpha 80deg,2.58",
+        "map point sliding --at 1.2 --digits 5",
+        "map difference --tolerance 1e-2",
+        "voussoirs --alpha pi/2 --mu 0.35 --stones 20",
+        "assess --alpha pi/2 --mu 0.4 --eta 0.15 --tilt 0.1 --digits 6",
+        "assess --alpha 1/2 --mu 2 --eta 0.7 --tilt 5deg",
+        "draw --span 33ft --rise 10ft --eta 2ft --mu 1",
+        "draw --alpha pi/2 --mu 0.4 --eta 0.15 --tilt 0.1 --stones 9",
+        "draw --alpha 80deg --mu 0.6 --eta 0.1..0.12",
+        "voussoirs --joints 0,1 --mu 1/9",
+        "voussoirs --alpha 80deg --mu inf --stones 10 --eta 1.9",
+        "voussoirs --alpha pi/2 --mu 0.6 --stones 11 --eta 0.1",
+        "voussoirs --alpha pi/2 --mu 0.4 --stones 11 --eta 0.15 --tilt 0.05",
+        "complementarity --alpha 2.3 --mu 1.07",
+        "complementarity --alpha 2.5 --mu 0.1",
+        "complementarity --alpha 2.3 --mu 1.05 --stones 8",
+        "complementarity --alpha 1 --mu 0.1 --stones 5",
+        "complementarity --alpha 1 --mu inf --stones 2",
+        "complementarity --alpha 1 --mu inf --stones 2 --eta 1.2",
+        "complementarity --alpha 2.3 --mu 1.05 --stones 8 --half --eta least",
+        "complementarity --alpha 2.3 --mu 1.05 --eta 0.55 --stones 6",
+        "complementarity --alpha 2.3 --mu 1.05 --eta 0.3 --stones 6",
+        "complementarity --alpha 1 --mu 2 --stones 3 --thickness least",
+        "complementarity --alpha 2.2 --mu 2 --stones 8 --thickness 1.83",
+        "complementarity --weight heyman --alpha 1.066 --mu 0.303 --stones 5 --thickness 1.096",
+        "state --beta 1.0",
+        "state --beta 0.66 --mu 1.6",
+        "state --beta 1.2 --weight heyman",
+        "state --thrust 0.01 --mu 0.6",
+        "state --opening-variable 0.7",
+        "state --eta 0.15 --mu 0.6",
+        "equation 4 --alpha 1 --eta 0.1",
+        "equation 16 --eta 1",
+        "equation 7 --beta 1.0 --weight heyman",
+        "equation 7 --beta 1.2",
+        "equation 8 --beta 3 --weight heyman",
+        "equation 9 --beta 57deg --weight milankovitch",
+        "equation 12 --beta 1.2",
+        "complementarity --alpha 2.21 --branch",
+        "complementarity --alpha 2 --branch",
+        "map --asymmetric --tolerance 1e-2",
+        "state --span=10m --rise=3m --mu=0.6",
+        "state --radius=5m --alpha=1 --mu=0.1",
+        "assess --span=10m --rise=3m --mu=0.6 --eta=60cm",
+        "state --alpha=1.4..2.6 --mu=0.2..inf",
+        "assess --alpha=80deg±1deg --mu=0.6±10% --eta=0.12",
+        "find half-opening --mu=0..0.6 --eta=0.12",
+        "find friction --alpha=80deg±1deg --eta=0.12",
+        "voussoirs --alpha=1 --stones=2 --mu=0.6±10%",
+        "assess --span=10m±2cm --rise=3m±1cm --mu=0.2..0.6 --eta=60cm±1cm",
+        "voussoirs --span=10m --rise=3m --stones=9 --mu=0.6 --density=24kN/m3 --depth=1m",
+        "voussoirs --radius=3m --alpha=1 --stones=9 --mu=1 --eta=60cm --density=24kN/m3 --depth=1m",
+        "assess --radius=3m --alpha=1 --mu=1 --eta=60cm --tilt=5deg --density=24kN/m3 --depth=1m",
+        "draw --at T",
+        "draw --alpha 80deg --mu 0.35 --eta 0.16",
+        "draw --alpha 2.62 --mu inf",
+        "draw --alpha 1.2 --mu 1 --radius 5m",
+        "draw --span 10m --rise 3m --mu 0.6 --eta 60cm --density 24kN/m3 --depth 1m",
+        "audit",
+        "constants --digits 20",
+        "prove eq-16 --show",
+        "prove eq-8",
+        "prove --index",
     ] {
-        documents.push(text(&couplet(line).stdout));
+        documents.push(text(&couplet(format!("{line} --format json")).stdout));
     }
-    documents.push(text(&fed(&["judge", "-", "--format", "json"], RESULTS).stdout));
+    documents.push(text(&fed("judge - --format json", RESULTS).stdout));
     let mut lines = String::new();
     for digits in ["4", "17"] {
-        let states = ["states", "--format", "jsonl", "--keep", "id", "--digits", digits];
-        lines += &text(&fed(&states, QUERIES).stdout);
+        let states = format!("states --format jsonl --keep id --digits {digits}");
+        lines += &text(&fed(states, QUERIES).stdout);
     }
-    let ranges = ["states", "--ranges", "--format", "jsonl", "--keep", "id"];
-    lines += &text(&fed(&ranges, QUERIES.replace("0.6,0.3", "0.5..inf,0.3±10%")).stdout);
-    lines += &text(&fed(&["judge", "-", "--format", "jsonl"], RESULTS).stdout);
-    let judged = fed(&["states", "--format", "jsonl"], QUERIES);
-    lines += &text(&fed(&["judge", "-", "--format", "jsonl"], &judged.stdout).stdout);
-    let sample = ["sample", "--hard", "--count", "60", "--format", "jsonl"];
-    lines += &text(&couplet(&sample).stdout);
-    let assemblies = ["sample", "--assemblies", "--count", "16", "--format", "json"];
-    for question in json(&assemblies).as_array().unwrap() {
+    let ranges = QUERIES.replace("0.6,0.3", "0.5..inf,0.3±10%");
+    lines += &text(&fed("states --ranges --format jsonl --keep id", ranges).stdout);
+    lines += &text(&fed("judge - --format jsonl", RESULTS).stdout);
+    let judged = fed("states --format jsonl", QUERIES);
+    lines += &text(&fed("judge - --format jsonl", &judged.stdout).stdout);
+    lines += &printed("sample --hard --count 60 --format jsonl");
+    for question in object("sample --assemblies --count 16").as_array().unwrap() {
         check(question, &mut seen);
     }
     for document in documents {

@@ -32,8 +32,7 @@ fn inputs_are_exact_or_doubles() {
             let input = format!(
                 "half_opening,friction,thickness\n{half_opening},0.7,{exact}\n{half_opening},0.7,{doubles}\n"
             );
-            let arguments = ["--weight", "milankovitch", "--inputs", inputs];
-            let (_, rows) = rows(&arguments, input);
+            let (_, rows) = rows(&format!("--weight milankovitch --inputs {inputs}"), input);
             let found = rows.iter().find(|row| row["verdict"] == "correctly rounded").unwrap();
             assert_eq!(found["numbers"]["thickness"]["claimed"], **right);
             assert_eq!(verdicts(&rows).iter().filter(|v| **v == "correctly rounded").count(), 1);
@@ -45,7 +44,7 @@ fn inputs_are_exact_or_doubles() {
 fn angles_may_be_in_degrees() {
     let input = "a,phi,joint\n80,30,52.9\n80deg,30,0.9233\n";
     let columns = "a=half_opening:deg,phi=friction_angle:deg,joint=rotation_joint:deg";
-    let (_, rows) = rows(&["--weight", "heyman", "--columns", columns], input);
+    let (_, rows) = rows(&format!("--weight heyman --columns {columns}"), input);
     let value = rows[0]["numbers"]["rotation_joint"]["value"].as_str().unwrap();
     let arch = Arch::new(H, number("80").degrees(), Friction::Infinite).unwrap();
     let Ok(Answer::Stands(state)) = arch.certify(20) else { panic!() };
@@ -65,8 +64,10 @@ fn an_angle_among_the_coefficients_is_the_same_arch() {
     let thickness = "0.1102301023143341972901023";
     let judged = |column: &str, text: &str| {
         let input = format!("half_opening,{column},thickness\n1.5,{text},{thickness}\n");
-        let arguments = ["--weight", "heyman", "--inputs", "double", "--accept", "25"];
-        rows(&arguments, input).1[0]["verdict"].as_str().unwrap().to_owned()
+        rows("--weight heyman --inputs double --accept 25", input).1[0]["verdict"]
+            .as_str()
+            .unwrap()
+            .to_owned()
     };
     let verdict = judged("friction_angle", "18.3deg");
     assert_ne!(verdict, "correctly rounded", "24 digits of an angle that a double does not hold");
@@ -102,7 +103,7 @@ fn bad_rows_do_not_stop_the_others() {
         input.extend(b"\r\n\"1\",\"0.5\",\"1e-9\"\r\n");
     }
     input.extend(b"1,1,1e3000\n1,1,1e-5000\n1,1,-1\n1,\"0.5\",0.02");
-    let (code, rows) = rows(&["--weight", "heyman"], &input);
+    let (code, rows) = rows("--weight heyman", &input);
     assert_eq!(code, Some(2));
     assert_eq!(rows.len(), 2 * bad.len() + 4);
     for (index, row) in rows.iter().take(2 * bad.len()).enumerate() {
@@ -122,7 +123,7 @@ fn json_lines_are_read_as_they_are_written() {
     let input = "\u{FEFF}{\"a\":1,\"b\":0.5,\"t\":null}\n\n{\"a\":1,\"b\":0.50,\"t\":1.91e-2,\"u\":[]}\n\
         {\"a\":1,\"b\":0.5}\n{\"a\":1,\"a\":2}\n[1]\n{\"a\":{},\"b\":1,\"t\":1}\n{\"a\":1,\"b\":1,\"t\":\"\\ud800\"}\nx\n";
     let columns = "a=half_opening,b=friction,t=thickness";
-    let (code, rows) = rows(&["--weight", "heyman", "--columns", columns], input);
+    let (code, rows) = rows(&format!("--weight heyman --columns {columns}"), input);
     assert_eq!(code, Some(2));
     let falls = "claims that an arch falls which stands";
     let bad = "bad row";
@@ -142,7 +143,7 @@ fn results_may_be_written_by_any_program() {
         ("alpha,mu,eta\n0x1.8p0,0.6,0x1.71375da33c6p-4\n", "wrong"),
         ("[{\"alpha\": 1.5, \"mu\": 0.6, \"eta\": 0.0901407}]", "correctly rounded"),
     ] {
-        let (_, rows) = rows(&["--weight", "heyman"], input);
+        let (_, rows) = rows("--weight heyman", input);
         let found = match rows[0]["verdict"].as_str() {
             Some("bad row") => "bad row",
             _ => rows[0]["numbers"]["thickness"]["rounding"].as_str().unwrap(),
@@ -156,7 +157,7 @@ fn results_may_be_written_by_any_program() {
 fn a_double_in_hexadecimal_is_judged_by_its_own_last_place() {
     let hex = |text: &str| {
         let input = format!("alpha,mu,eta\npi/2,0.38,{text}\n");
-        rows(&["--weight", "heyman"], input).1[0]["numbers"]["thickness"].clone()
+        rows("--weight heyman", input).1[0]["numbers"]["thickness"].clone()
     };
     let nearest = hex("0x1.f47f2a34603cap-4");
     assert_eq!(

@@ -8,17 +8,13 @@ mod round_trip;
 mod summary;
 mod verdicts;
 
-use crate::program::{fed, text};
+use crate::program::{fed, of_lines, text};
 use serde_json::Value;
 
 /// The exit code and the rows that `couplet judge -` makes of an input.
-fn rows(arguments: &[&str], input: impl AsRef<[u8]>) -> (Option<i32>, Vec<Value>) {
-    let all = [&["judge", "-", "--format", "jsonl"], arguments].concat();
-    let output = fed(&all, input.as_ref());
-    (
-        output.status.code(),
-        text(&output.stdout).lines().map(|line| serde_json::from_str(line).unwrap()).collect(),
-    )
+fn rows(arguments: &str, input: impl AsRef<[u8]>) -> (Option<i32>, Vec<Value>) {
+    let output = fed(format!("judge - --format jsonl {arguments}"), input);
+    (output.status.code(), of_lines(&text(&output.stdout)))
 }
 
 fn verdicts(rows: &[Value]) -> Vec<&str> {

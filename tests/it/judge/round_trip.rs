@@ -1,7 +1,7 @@
 //! What one command writes, another reads.
 
 use super::{rows, verdicts};
-use crate::program::{Scratch, couplet, fed, said};
+use crate::program::{Scratch, fed, printed, said};
 use serde_json::Value;
 
 /// Arches that stand and that do not, with and without a thickness, given in every way.
@@ -18,7 +18,7 @@ fn queries() -> [String; 3] {
 
 /// Everything that is written is accepted, and as many rows as there were.
 fn is_judged_right(written: &[u8], count: usize, what: &str) {
-    let (code, found) = rows(&[], written);
+    let (code, found) = rows("", written);
     let bad = found.iter().find(|row| row["accepted"] == false);
     assert_eq!((code, bad), (Some(0), None), "{what}");
     assert_eq!(found.len(), count, "{what}");
@@ -32,7 +32,7 @@ fn judge_reads_what_states_writes() {
         let count = input.lines().count() - 1;
         for digits in ["3", "17"] {
             for format in ["csv", "jsonl"] {
-                let written = fed(&["states", "--digits", digits, "--format", format], &input);
+                let written = fed(format!("states --digits {digits} --format {format}"), &input);
                 let what = format!("{format} {digits} {input}");
                 is_judged_right(&written.stdout, count, &what);
             }
@@ -42,8 +42,8 @@ fn judge_reads_what_states_writes() {
 
 #[test]
 fn a_given_thickness_is_not_the_least() {
-    let written = fed(&["states", "--format", "jsonl", "--digits", "5"], QUERIES);
-    let (_, found) = rows(&[], &written.stdout);
+    let written = fed("states --format jsonl --digits 5", QUERIES);
+    let (_, found) = rows("", &written.stdout);
     assert_eq!((&found[0]["thickness"], &found[0]["stands"]), (&"0.3".into(), &true.into()));
     assert_eq!((&found[1]["thickness"], &found[1]["stands"]), (&"0.05".into(), &false.into()));
     assert_eq!((&found[2]["thickness"], &found[2]["stands"]), (&Value::Null, &Value::Null));
@@ -51,11 +51,11 @@ fn a_given_thickness_is_not_the_least() {
     assert!(found[2]["numbers"]["thickness"].is_object());
     // The same claims with one of them wrong.
     let spoiled = |from: &str, to: &str| {
-        let written = fed(&["states", "--format", "csv", "--digits", "5"], QUERIES);
+        let written = fed("states --format csv --digits 5", QUERIES);
         let text = String::from_utf8(written.stdout).unwrap();
         let (first, rest) = text.split_once("heyman,1.5,0.6,0.3").unwrap();
         let rest = format!("heyman,1.5,0.6,0.3{}", rest.replacen(from, to, 1));
-        verdicts(&rows(&[], format!("{first}{rest}")).1)[0].to_owned()
+        verdicts(&rows("", format!("{first}{rest}")).1)[0].to_owned()
     };
     assert_eq!(spoiled(",true,", ",false,"), "claims that an arch falls which stands");
     assert_eq!(spoiled(",0.090141,", ",0.090138,"), "thinner than the least thickness");
@@ -64,25 +64,20 @@ fn a_given_thickness_is_not_the_least() {
 
 #[test]
 fn judge_and_states_read_what_state_and_assess_write() {
-    let arch = ["--alpha", "80deg", "--phi", "35deg", "--weight", "both"];
     for format in ["csv", "json"] {
-        for command in [&["state"][..], &["assess", "--thickness", "0.12"]] {
-            let written = couplet(&[command, &arch, &["--format", format]].concat());
-            assert_eq!(written.status.code(), Some(0), "{command:?} {format}");
-            let what = format!("{command:?} {format}");
-            is_judged_right(&written.stdout, 2, &what);
-            asks_again(
-                &written.stdout,
-                &what,
-                if command.len() > 1 { "stands" } else { "can_stand" },
-            );
+        for (command, question) in [("state", "can_stand"), ("assess --thickness 0.12", "stands")] {
+            let what =
+                format!("{command} --alpha 80deg --phi 35deg --weight both --format {format}");
+            let written = printed(&what);
+            is_judged_right(written.as_bytes(), 2, &what);
+            asks_again(written.as_bytes(), &what, question);
         }
     }
 }
 
 /// What is written asks the same again.
 fn asks_again(written: &[u8], what: &str, question: &str) {
-    let output = fed(&["states", "--format", "jsonl", "--digits", "4"], written);
+    let output = fed("states --format jsonl --digits 4", written);
     let (code, text, message) = said(&output);
     assert_eq!(code, Some(0), "{what}: {message} {text}");
     assert!(text.lines().all(|row| row.contains(&format!("\"{question}\":"))), "{what}: {text}");
@@ -107,7 +102,7 @@ fn judge_and_states_read_what_a_scene_writes() {
     }
     scratch.write("scene.toml", scene);
     let out = scratch.path("out");
-    assert_eq!(couplet(&["run", &scratch.path("scene.toml"), "-o", &out]).status.code(), Some(0));
+    printed(["run", &scratch.path("scene.toml"), "-o", &out]);
     for end in ["csv", "json"] {
         for (name, count, question) in
             [("state", 14, "can_stand"), ("given", 28, "stands"), ("some", 14, "stands")]

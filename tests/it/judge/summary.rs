@@ -9,7 +9,7 @@ use std::thread;
 /// What is written does not wait for the end of the file.
 #[test]
 fn a_file_without_end_is_judged_as_it_comes() {
-    let mut child = start(&["judge", "-", "--weight", "heyman", "--format", "csv", "--worst", "0"]);
+    let mut child = start("judge - --weight heyman --format csv --worst 0");
     let mut stdin = child.stdin.take().unwrap();
     let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
     // Who writes on and on is stopped by the program alone.
@@ -38,9 +38,8 @@ fn a_summary_keeps_the_worst_and_counts_all() {
     let scratch = Scratch::new();
     scratch.write("in.csv", &input);
     let (file, found) = (scratch.path("in.csv"), scratch.path("out.json"));
-    let demand =
-        ["--weight", "heyman", "--accept", "3", "--format", "json", "--worst", "4", "-o", &found];
-    let output = couplet(&[&["judge", &file][..], &demand].concat());
+    let demand = "--weight heyman --accept 3 --format json --worst 4";
+    let output = couplet(format!("judge {file} {demand} -o {found}"));
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(text(&output.stderr), "couplet: 4 of 3004 rows are not accepted\n");
     let found: Value = serde_json::from_str(&scratch.read("out.json")).unwrap();
@@ -62,14 +61,14 @@ fn a_summary_keeps_the_worst_and_counts_all() {
 #[test]
 fn accept_asks_for_digits() {
     let input = "half_opening,friction,thickness\npi/2,0.38,0.12\npi/2,0.38,0.12219158\n";
-    let asked = |digits: &[&str]| {
-        let (code, rows) = rows(&[&["--weight", "heyman"], digits].concat(), input);
+    let asked = |digits: &str| {
+        let (code, rows) = rows(&format!("--weight heyman {digits}"), input);
         let accepted: Vec<bool> = rows.iter().map(|r| r["accepted"].as_bool().unwrap()).collect();
         (code, accepted)
     };
-    assert_eq!(asked(&[]), (Some(1), vec![false, true]), "two digits, rounded to the unsafe side");
-    assert_eq!(asked(&["--accept", "2"]), (Some(0), vec![true, true]));
-    assert_eq!(asked(&["--accept", "3"]), (Some(1), vec![false, true]));
-    assert_eq!(asked(&["--accept", "7"]), (Some(1), vec![false, true]));
-    assert_eq!(asked(&["--accept", "8"]), (Some(1), vec![false, false]));
+    assert_eq!(asked(""), (Some(1), vec![false, true]), "two digits, rounded to the unsafe side");
+    assert_eq!(asked("--accept 2"), (Some(0), vec![true, true]));
+    assert_eq!(asked("--accept 3"), (Some(1), vec![false, true]));
+    assert_eq!(asked("--accept 7"), (Some(1), vec![false, true]));
+    assert_eq!(asked("--accept 8"), (Some(1), vec![false, false]));
 }

@@ -1,21 +1,12 @@
 //! `couplet map`: what it writes, and what it refuses.
 
-use crate::program::{Scratch, couplet, json, refused, said, text};
+use crate::program::{Scratch, couplet, object, printed, refused, rows, said};
 use serde_json::Value;
-
-/// The cells of a table by the names in its header.
-fn cells(table: &str) -> Vec<Vec<(String, String)>> {
-    let mut reader = csv::Reader::from_reader(table.as_bytes());
-    let names: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
-    let row =
-        |row: csv::StringRecord| names.iter().cloned().zip(row.iter().map(str::to_owned)).collect();
-    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
-    rows.into_iter().map(row).collect()
-}
+use std::collections::BTreeMap;
 
 #[test]
 fn every_curve_is_summed_up() {
-    let (code, output, error) = said(&couplet(&["map", "--weight", "both", "--tolerance", "1e-3"]));
+    let (code, output, error) = said(&couplet("map --weight both --tolerance 1e-3"));
     assert_eq!((code, &error[..]), (Some(0), ""));
     // Eleven of each weight, and sliding.
     let lines: Vec<&str> = output.lines().skip(3).take_while(|line| !line.is_empty()).collect();
@@ -25,15 +16,14 @@ fn every_curve_is_summed_up() {
 
 #[test]
 fn csv_and_json_say_the_same() {
-    let line = ["map", "--curve", "rrr/srr,limit", "--weight", "heyman", "--format"];
-    let table = text(&couplet(&[&line[..], &["csv"]].concat()).stdout);
-    let document = json(&[&line[..], &["json"]].concat());
+    let line = "map --curve rrr/srr,limit --weight heyman";
+    let (table, document) = (printed(format!("{line} --format csv")), object(line));
     let curves = document["curves"].as_array().unwrap();
     let nodes: Vec<(&Value, &Value)> = curves
         .iter()
         .flat_map(|curve| curve["nodes"].as_array().unwrap().iter().map(move |n| (curve, n)))
         .collect();
-    let rows = cells(&table);
+    let rows = rows(table);
     assert_eq!(rows.len(), nodes.len());
     for (row, (curve, node)) in rows.iter().zip(nodes) {
         for (name, cell) in row {
@@ -61,11 +51,9 @@ fn csv_and_json_say_the_same() {
 /// Bounds of the ends are those of the landmark.
 #[test]
 fn the_ends_are_the_landmarks() {
-    let table = text(&couplet(&["map", "--curve", "rrr/rrs", "--format", "csv"]).stdout);
-    let rows = cells(&table);
-    let of = |row: usize, name: &str| -> String {
-        rows[row].iter().find(|(n, _)| n == name).unwrap().1.clone()
-    };
+    let table = printed("map --curve rrr/rrs --format csv");
+    let rows = rows(table);
+    let of = |row: usize, name: &str| rows[row][name].clone();
     let last = rows.len() - 1;
     assert_eq!((&of(0, "end")[..], &of(last, "end")[..]), ("T", "l"));
     // As `couplet constants T` has it, to the precision of a double.
@@ -79,11 +67,8 @@ fn the_ends_are_the_landmarks() {
 /// A point of a line is what `find boundary` finds there.
 #[test]
 fn a_point_is_on_the_boundary() {
-    let at = ["map", "point", "rrr/srr", "--at", "80deg", "--digits", "25", "--format", "json"];
-    let point = json(&at);
-    let find =
-        ["find", "boundary", "rrr/srr", "--alpha", "80deg", "--digits", "25", "--format", "json"];
-    let found = json(&find);
+    let point = object("map point rrr/srr --at 80deg --digits 25");
+    let found = object("find boundary rrr/srr --alpha 80deg --digits 25");
     for name in ["friction", "thickness", "thrust", "rotation_joint"] {
         let value = &point["values"][name]["value"];
         assert!(value.is_string() && *value == found[name]["value"], "{name}");
@@ -94,9 +79,7 @@ fn a_point_is_on_the_boundary() {
 fn a_file_of_data_comes_with_a_line() {
     let scratch = Scratch::new();
     let file = scratch.path("map.csv");
-    let line = ["map", "--curve", "limit", "--format", "csv", "-o", &file];
-    let (code, output, _) = said(&couplet(&line));
-    assert_eq!(code, Some(0));
+    let output = printed(format!("map --curve limit --format csv -o {file}"));
     assert!(output.contains("map.csv: 1 curve, ") && output.contains("; proved: "), "{output}");
     assert_eq!(output.lines().count(), 1);
     assert!(scratch.read("map.csv").starts_with("weight,curve,mode,node,end,parameter,"));
@@ -112,12 +95,8 @@ fn levels_are_states_of_arches() {
         ("--friction", "1.6", &["[r,r,s]", "[r,s,r]", "[r,s]", "[s,s]"]),
         ("--friction", "tan(20deg)", &["[s,r,r]", "[s,s]"]),
     ] {
-        let line = ["map", option, value, "--tolerance", "1e-6", "--format", "csv"];
-        let table = text(&couplet(&line).stdout);
-        let rows = cells(&table);
-        let of = |row: &[(String, String)], name: &str| -> String {
-            row.iter().find(|(n, _)| n == name).unwrap().1.clone()
-        };
+        let rows = rows(printed(format!("map {option} {value} --tolerance 1e-6 --format csv")));
+        let of = |row: &BTreeMap<String, String>, name: &str| row[name].clone();
         let mut modes: Vec<String> = rows.iter().map(|row| of(row, "mode")).collect();
         modes.dedup();
         assert_eq!(modes, expected, "{value}");
@@ -128,9 +107,7 @@ fn levels_are_states_of_arches() {
                 ["half_opening_lower", "friction_upper", "thickness_lower", "thickness_upper"]
                     .map(|name| of(row, name));
             let alpha = if option == "--half-opening" { value } else { &alpha };
-            let state =
-                ["state", "--alpha", alpha, "--mu", &mu, "--digits", "14", "--format", "json"];
-            let state = json(&state);
+            let state = object(format!("state --alpha {alpha} --mu {mu} --digits 14"));
             if state["mode"] != of(row, "mode") {
                 // The first node of a part lies on the line to the next mode.
                 assert!(
@@ -145,42 +122,9 @@ fn levels_are_states_of_arches() {
     }
 }
 
-#[test]
-fn what_makes_no_sense_is_refused() {
-    for (arguments, words) in [
-        (&["--curve", "rrr"][..], "a curve is one of rotation, overturning, sliding, rrr/srr"),
-        (&["--curve", "limits"], "did you mean \"limit\"?"),
-        (&["--tolerance", "0"], "a tolerance is a number from 1e-12 to 1"),
-        (&["--tolerance", "1e-13"], "a tolerance is a number from 1e-12 to 1"),
-        (&["--tolerance", "-1"], "a tolerance is a number from 1e-12 to 1"),
-        (&["--tolerance", "NaN"], "a tolerance is a number from 1e-12 to 1"),
-        (&["--weight", "mine"], "a weight is one of"),
-        (&["point", "limit"], "--at <PARAMETER> is missing"),
-        (&["point", "limit,rotation", "--at", "1"], "a curve is one of rotation"),
-        (&["point", "rotation", "--at", "3"], "half_opening 3 is not on the curve"),
-        (&["point", "rs/ss", "--at", "2"], "thickness 2 is not on the curve"),
-        (&["point", "rotation", "--at", "x"], "'x' is not a number"),
-        (&["point", "rotation", "--at", "inf"], "is not a number"),
-        (&["point", "rotation", "--at", "1", "--digits", "0"], "digits are a whole number"),
-        (&["--alpha", "3"], "no arch of the half opening 3 stands at a thickness up to 2"),
-        (&["--alpha", "0"], "no arch of the half opening 0 stands at a thickness up to 2"),
-        (&["--alpha", "x"], "'x' is not a number"),
-        (&["--thickness", "0"], "the thickness 0 is not between 0 and 2"),
-        (&["--eta", "2"], "the thickness 2 is not between 0 and 2"),
-        (&["--friction", "inf"], "the friction inf is not positive and finite"),
-        (&["--mu", "0.4,-1"], "the friction -1 is not positive and finite"),
-        (&["--mu", "0.4", "point", "limit", "--at", "1"], "cannot be used with"),
-        (&["point", "limit", "--at", "1", "--alpha", "1"], "unexpected argument '--alpha'"),
-        (&["--digits", "5"], "unexpected argument '--digits'"),
-        (&["--format", "svgz"], "a format is one of"),
-    ] {
-        refused(&[&["map"], arguments].concat(), "", words);
-    }
-}
-
 #[cfg(feature = "parquet")]
 #[test]
 fn a_point_has_no_parquet() {
-    let line = ["map", "point", "limit", "--at", "1.5", "--format", "parquet", "-o", "no.parquet"];
-    refused(&line, "", "a format is one of table, json, csv");
+    let line = "map point limit --at 1.5 --format parquet -o no.parquet";
+    refused(line, "", "a format is one of table, json, csv");
 }

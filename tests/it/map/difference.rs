@@ -1,6 +1,6 @@
 //! `couplet map difference`: beside the arches of both weights, in every format, and refused.
 
-use crate::program::{Scratch, couplet, json, refused, said, text};
+use crate::program::{Scratch, object, printed};
 use serde_json::Value;
 
 fn number(value: &Value) -> f64 {
@@ -10,14 +10,14 @@ fn number(value: &Value) -> f64 {
 /// The thickness on a line at a friction, by the equations of its landmarks, and of the arch that is there.
 fn thickness(line: &Value, weight: &str, friction: f64) -> f64 {
     let mu = format!("{friction:?}");
-    let of = ["--mu", &mu, "--weight", weight, "--digits", "16", "--format", "json"];
-    let found = json(&[&["find", "boundary", line.as_str().unwrap()], &of[..]].concat());
-    let eta: f64 = found["thickness"]["value"].as_str().unwrap().parse().unwrap();
+    let of = format!("--mu {mu} --weight {weight} --digits 16");
     let modes = line.as_str().unwrap();
+    let found = object(format!("find boundary {modes} {of}"));
+    let eta: f64 = found["thickness"]["value"].as_str().unwrap().parse().unwrap();
     if !modes.ends_with("/ss") {
         // Below such a line nothing stands, and a rounding of the half opening may be there.
         let alpha = found["half_opening"]["value"].as_str().unwrap();
-        let state = json(&[&["state", "--alpha", alpha], &of[..]].concat());
+        let state = object(format!("state --alpha {alpha} {of}"));
         let least: f64 = state["thickness"]["value"].as_str().unwrap().parse().unwrap();
         assert!((least - eta).abs() < 1e-11, "{line} {weight} {mu}: {least} {eta}");
     }
@@ -27,7 +27,7 @@ fn thickness(line: &Value, weight: &str, friction: f64) -> f64 {
 /// At some frictions of each curve, and not if one line is moved by a millionth.
 #[test]
 fn the_difference_is_that_of_the_arches() {
-    let report = json(&["map", "difference", "--tolerance", "1e-7", "--format", "json"]);
+    let report = object("map difference --tolerance 1e-7");
     let mut pairs = Vec::new();
     for difference in report["differences"].as_array().unwrap() {
         assert!(number(&difference["widest_tube"]) <= 1e-7);
@@ -59,8 +59,7 @@ fn the_difference_is_that_of_the_arches() {
 fn a_picture_has_each_curve_and_its_tube() {
     let scratch = Scratch::new();
     let file = scratch.path("d.svg");
-    let (code, output, error) = said(&couplet(&["map", "difference", "-o", &file]));
-    assert_eq!((code, &error[..]), (Some(0), ""));
+    let output = printed(["map", "difference", "-o", &file]);
     assert!(output.contains("d.svg: 4 curves, ") && output.contains("; proved: "), "{output}");
     assert_eq!(output.lines().count(), 1);
     let picture = scratch.read("d.svg");
@@ -71,23 +70,6 @@ fn a_picture_has_each_curve_and_its_tube() {
     {
         assert!(picture.contains(name), "{name}");
     }
-    let table = text(&couplet(&["map", "difference", "--format", "csv"]).stdout);
+    let table = printed("map difference --format csv");
     assert!(table.starts_with("divide,node,line_heyman,line_milankovitch,parameter,"));
-}
-
-#[test]
-fn what_makes_no_sense_is_refused() {
-    for (arguments, words) in [
-        (&["--tolerance", "0"][..], "a tolerance is a number from 1e-12 to 1"),
-        (&["--tolerance", "1e-12"], "a difference has a tolerance from 4e-12 to 1"),
-        (&["--format", "html"], "a format is one of table, json, csv, csv2, latex, markdown, svg"),
-        (&["--weight", "heyman"], "unexpected argument"),
-        (&["--curve", "limit"], "unexpected argument"),
-        (&["--plane", "opening-friction"], "unexpected argument"),
-        (&["--scale", "log"], "unexpected argument"),
-        (&["--mark", "80deg,0.6"], "unexpected argument"),
-        (&["--lines"], "unexpected argument"),
-    ] {
-        refused(&[&["map", "difference"], arguments].concat(), "", words);
-    }
 }

@@ -1,6 +1,6 @@
 //! `couplet map --format html`: one file, and a script whose numbers are those of the program.
 
-use crate::program::{Scratch, couplet, json, said};
+use crate::program::{Scratch, object, printed};
 use crate::tool;
 use serde_json::Value;
 use std::process::Command;
@@ -11,9 +11,7 @@ fn page() -> &'static str {
     static PAGE: OnceLock<String> = OnceLock::new();
     PAGE.get_or_init(|| {
         let scratch = Scratch::new();
-        let line = ["map", "--tolerance", "1e-3", "-o", &scratch.path("map.html")];
-        let (code, _, error) = said(&couplet(&line));
-        assert_eq!((code, &error[..]), (Some(0), ""));
+        printed(["map", "--tolerance", "1e-3", "-o", &scratch.path("map.html")]);
         scratch.read("map.html")
     })
 }
@@ -42,10 +40,7 @@ fn certified(command: &str, number: &str) -> Value {
     let is_digit = |c: &char| c.is_ascii_digit();
     let digits = number.chars().filter(is_digit).skip_while(|c| *c == '0').count();
     assert!((5..=6).contains(&digits), "{number}");
-    let words = command.split_whitespace().skip(1);
-    let digits = digits.to_string();
-    let arguments: Vec<&str> = words.chain(["--digits", &digits, "--format", "json"]).collect();
-    json(&arguments)
+    object(format!("{} --digits {digits}", command.strip_prefix("couplet ").unwrap()))
 }
 
 #[test]
@@ -83,10 +78,8 @@ fn a_page_needs_nothing_from_elsewhere() {
 fn a_page_has_the_levels_and_marks_asked_for() {
     let scratch = Scratch::new();
     let file = scratch.path("map.html");
-    let levels = ["--half-opening", "80deg", "--thickness", "0.1", "--friction", "0.4"];
-    let line = ["map", "--tolerance", "1e-2", "--mark", "80deg,0.6,0.15", "-o", &file];
-    let (code, _, error) = said(&couplet(&[&line[..], &levels].concat()));
-    assert_eq!((code, &error[..]), (Some(0), ""));
+    let levels = "--half-opening 80deg --thickness 0.1 --friction 0.4";
+    printed(format!("map --tolerance 1e-2 --mark 80deg,0.6,0.15 {levels} -o {file}"));
     let page = scratch.read("map.html");
     assert!(page.len() < 1_000_000);
     for weight in ["heyman", "milankovitch"] {
@@ -110,8 +103,7 @@ fn a_page_has_the_levels_and_marks_asked_for() {
 fn one_weight_alone_has_a_page() {
     let scratch = Scratch::new();
     let file = scratch.path("map.html");
-    let line = ["map", "--weight", "heyman", "--tolerance", "1e-2", "-o", &file];
-    assert_eq!(said(&couplet(&line)).0, Some(0));
+    printed(format!("map --weight heyman --tolerance 1e-2 -o {file}"));
     let page = scratch.read("map.html");
     let figures: Vec<&str> = page.split("<figure ").skip(1).collect();
     assert_eq!(figures.len(), 3);
@@ -126,8 +118,8 @@ fn an_address_has_its_arch() {
     }
     let there = shown(page(), "half_opening=80deg&friction=0.6&weight=heyman");
     let thickness = element(&there, "thickness");
-    let line = ["--half-opening", "80deg", "--friction", "0.6", "--weight", "heyman"];
-    let truth = certified(&[&["couplet", "state"], &line[..]].concat().join(" "), thickness);
+    let line = "couplet state --half-opening 80deg --friction 0.6 --weight heyman";
+    let truth = certified(line, thickness);
     assert_eq!(
         (element(&there, "mode"), thickness),
         ("[r,r,r]", truth["thickness"]["value"].as_str().unwrap())

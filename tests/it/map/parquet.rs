@@ -1,7 +1,7 @@
 //! The curves as Parquet, read back, beside the same curves as JSON.
 
 use crate::export::parquet::read;
-use crate::program::{couplet, json};
+use crate::program::{couplet, object};
 use parquet::record::Field;
 use serde_json::Value;
 
@@ -48,10 +48,9 @@ fn nodes(document: &Value) -> Vec<Value> {
 
 #[test]
 fn parquet_and_json_say_the_same() {
-    let line = ["map", "--curve", "rrr/rrs,sliding,limit", "--alpha", "2.58", "--weight", "both"];
-    let line = [&line[..], &["--tolerance", "1e-3", "--format"]].concat();
-    let document = json(&[&line[..], &["json"]].concat());
-    let (rows, notes) = read(couplet(&[&line[..], &["parquet"]].concat()).stdout);
+    let line = "map --curve rrr/rrs,sliding,limit --alpha 2.58 --weight both --tolerance 1e-3";
+    let document = object(line);
+    let (rows, notes) = read(couplet(format!("{line} --format parquet")).stdout);
     assert_eq!(notes["couplet.schema"], document["schema"].as_str().unwrap());
     assert_eq!(notes["couplet.tolerance"].parse::<f64>().ok(), document["tolerance"].as_f64());
     let nodes = nodes(&document);

@@ -1,13 +1,12 @@
 //! `couplet map` and `couplet figure` as pictures: what is in them, and what is refused.
 
-use crate::program::{Scratch, couplet, refused, said, text};
+use crate::program::{Scratch, Words, printed, refused};
 
 #[test]
 fn the_name_of_the_file_tells_the_format() {
     let scratch = Scratch::new();
     let file = scratch.path("map.svg");
-    let (code, output, error) = said(&couplet(&["map", "--tolerance", "1e-3", "-o", &file]));
-    assert_eq!((code, &error[..]), (Some(0), ""));
+    let output = printed(["map", "--tolerance", "1e-3", "-o", &file]);
     assert!(output.contains("map.svg: 12 curves and 9 lines of one value, in tubes"), "{output}");
     assert!(output.contains("; proved: ") && output.lines().count() == 1, "{output}");
     let svg = scratch.read("map.svg");
@@ -22,9 +21,8 @@ fn the_name_of_the_file_tells_the_format() {
 
 #[test]
 fn standard_output_takes_a_picture() {
-    let figure = text(&couplet(&["figure", "5", "--tolerance", "1e-2"]).stdout);
-    let lines = ["map", "--lines", "--weight", "both", "--tolerance", "1e-2", "--format", "svg"];
-    let map = text(&couplet(&lines).stdout);
+    let figure = printed("figure 5 --tolerance 1e-2");
+    let map = printed("map --lines --weight both --tolerance 1e-2 --format svg");
     // But for the command they are one.
     let drawn = |svg: &str| svg.split("<g id=\"caption\">").next().unwrap().to_owned();
     let body = |svg: &str| drawn(svg).lines().skip(3).collect::<Vec<_>>().join("\n");
@@ -35,20 +33,17 @@ fn standard_output_takes_a_picture() {
 /// The levels that are asked for, the usual ones, or none.
 #[test]
 fn a_map_has_the_levels_asked_for() {
-    let svg = |more: &[&str]| {
-        let line = ["map", "--tolerance", "1e-2", "--format", "svg"];
-        text(&couplet(&[&line[..], more].concat()).stdout)
-    };
+    let svg = |more: &str| printed(format!("map --tolerance 1e-2 --format svg {more}"));
     let count = |svg: &str| svg.matches("<g id=\"level-").count();
-    let asked = svg(&["--half-opening", "80deg,5/2"]);
+    let asked = svg("--half-opening 80deg,5/2");
     assert_eq!(count(&asked), 2);
     for part in ["level-half-opening-80deg", ">80°</text>", ">5/2</text>", "Thin lines: equal half"]
     {
         assert!(asked.contains(part), "{part}");
     }
     assert!(asked.contains("domain-rrr"), "the map is there");
-    assert_eq!(count(&svg(&["--bare"])), 0);
-    let usual = svg(&["--plane", "opening-thickness"]);
+    assert_eq!(count(&svg("--bare")), 0);
+    let usual = svg("--plane opening-thickness");
     assert!(count(&usual) > 5 && usual.contains("lines of equal least friction"));
 }
 
@@ -57,44 +52,30 @@ fn a_map_has_the_levels_asked_for() {
 fn a_map_has_the_axes_asked_for() {
     for (arguments, parts) in [
         (
-            &[
-                "--scale",
-                "log",
-                "--friction-unit",
-                "mu",
-                "--friction-range",
-                "0..3",
-                "--tolerance",
-                "1e-2",
-            ][..],
+            "--scale log --friction-unit mu --friction-range 0..3 --tolerance 1e-2",
             &[">10⁻³</text>", "friction coefficient μ<", "in decades of η", "in μ"][..],
         ),
+        ("--plane opening-thickness --half-opening-unit A", &["A = α cot(α/2)", "in A and"]),
         (
-            &["--plane", "opening-thickness", "--half-opening-unit", "A"],
-            &["A = α cot(α/2)", "in A and"],
-        ),
-        (
-            &["--plane", "opening-friction", "--half-opening-unit", "rad"],
+            "--plane opening-friction --half-opening-unit rad",
             &["half opening α (rad)", ">2.5</text>"],
         ),
-        (&["--thickness-range", "0..0.3"], &[">0.30</text>", "in radians"]),
+        ("--thickness-range 0..0.3", &[">0.30</text>", "in radians"]),
     ] {
-        let line = ["map", "--format", "svg", "--bare"];
-        let svg = text(&couplet(&[&line[..], arguments].concat()).stdout);
+        let svg = printed(format!("map --format svg --bare {arguments}"));
         for part in parts {
-            assert!(svg.contains(part), "{arguments:?}: {part}");
+            assert!(svg.contains(part), "{arguments}: {part}");
         }
-        assert!(svg.contains("domain-srr"), "{arguments:?}");
+        assert!(svg.contains("domain-srr"), "{arguments}");
         // S and J are shown larger where they are seen.
-        assert_eq!(svg.contains("inset-sj-"), !arguments.contains(&"0..0.3"), "{arguments:?}");
+        assert_eq!(svg.contains("inset-sj-"), !arguments.contains("0..0.3"), "{arguments}");
     }
 }
 
 #[test]
 fn an_arch_is_marked_with_its_state() {
-    let line = ["map", "--tolerance", "1e-2", "--format", "svg", "--bare"];
-    let marks = ["--mark", "80deg,0.6,0.15", "--mark", "100deg,30deg"];
-    let svg = text(&couplet(&[&line[..], &marks].concat()).stdout);
+    let marks = "--mark 80deg,0.6,0.15 --mark 100deg,30deg";
+    let svg = printed(format!("map --tolerance 1e-2 --format svg --bare {marks}"));
     assert_eq!(svg.matches("<g id=\"mark-").count(), 2);
     for part in [
         "(1) α = 80°, μ = 0.6, η = 0.15: stands; least thickness 0.0686505, [r,r,r]",
@@ -112,7 +93,7 @@ fn each_figure_has_its_curves() {
         ("4", &["milankovitch-rotation", "milankovitch-overturning"]),
         ("6", &["domain-ss", "inset-sj-line-rsr-rs", "level-half-opening-80deg"]),
     ] {
-        let svg = text(&couplet(&["figure", number, "--tolerance", "1e-2"]).stdout);
+        let svg = printed(["figure", number, "--tolerance", "1e-2"]);
         for group in groups {
             assert!(svg.contains(&format!("<g id=\"{group}\">")), "{number} {group}");
         }
@@ -124,8 +105,7 @@ fn each_figure_has_its_curves() {
 fn pixels_are_a_png_file() {
     let scratch = Scratch::new();
     let file = scratch.path("map.png");
-    let line = ["figure", "4", "--tolerance", "1e-2", "-o", &file];
-    assert_eq!(said(&couplet(&line)).0, Some(0));
+    printed(["figure", "4", "--tolerance", "1e-2", "-o", &file]);
     assert!(std::fs::read(&file).unwrap().starts_with(b"\x89PNG"));
 }
 
@@ -135,173 +115,62 @@ fn pixels_are_a_png_file() {
 fn a_page_is_a_pdf_file_of_the_width() {
     let scratch = Scratch::new();
     let file = scratch.path("figure.pdf");
-    let line = ["figure", "4", "--tolerance", "1e-2", "--width", "84mm", "-o", &file];
-    assert_eq!(said(&couplet(&line)).0, Some(0));
+    let line = format!("figure 4 --tolerance 1e-2 --width 84mm -o {file}");
+    printed(&line);
     let bytes = std::fs::read(&file).unwrap();
     assert!(bytes.starts_with(b"%PDF-1."));
     let text = String::from_utf8_lossy(&bytes);
     // 84 mm in points; a font file with a subset of the letters.
     assert!(text.contains("/MediaBox [0 0 238.11"), "{:?}", text.find("MediaBox"));
     assert!(text.contains("DejaVuSans") && text.contains("/FontFile2"));
-    assert_eq!(said(&couplet(&line)).0, Some(0));
+    printed(&line);
     assert!(std::fs::read(&file).unwrap() == bytes, "the same bytes each time");
 }
 
 #[cfg(not(feature = "plots"))]
 #[test]
 fn pixels_need_their_feature() {
-    refused(&["map", "-o", "map.png"], "", "without the feature plots");
-    refused(&["map", "-o", "map.pdf"], "", "without the feature plots");
+    refused("map -o map.png", "", "without the feature plots");
+    refused("map -o map.pdf", "", "without the feature plots");
 }
 
 /// The words below go, their description stays; the letters are those asked for.
 #[test]
 fn a_picture_is_printed_as_asked_for() {
-    let line = ["figure", "3", "--tolerance", "1e-2", "--width", "12cm", "--no-caption"];
-    let svg = text(&couplet(&[&line[..], &["--font", "Arial"]].concat()).stdout);
+    let figure = "figure 3 --tolerance 1e-2 --width 12cm --no-caption --font Arial";
+    let svg = printed(figure);
     assert!(svg.contains("width=\"340.157pt\"") && svg.contains("font-family=\"'Arial', DejaVu"));
     assert_eq!(svg.matches("Command: couplet figure 3").count(), 1, "in the description");
-    let arch = ["draw", "--alpha", "80deg", "--mu", "0.35"];
-    let [with, without] = [&[][..], &["--no-title", "--font-size", "8pt"]]
-        .map(|more| text(&couplet(&[&arch[..], more].concat()).stdout));
+    let [with, without] = ["", "--no-title --font-size 8pt"]
+        .map(|more| printed(format!("draw --alpha 80deg --mu 0.35 {more}")));
     assert!(with.contains(">[r,r,r]</text>") && !without.contains(">[r,r,r]</text>"));
     assert!(without.contains("pt\" height=\""));
 }
 
+#[cfg(feature = "plots")]
 #[test]
-fn what_cannot_be_printed_is_refused() {
-    let figure = ["figure", "6", "--tolerance", "1e-2"];
-    for (more, words) in [
-        (&["--width", "84"][..], "a width is a length from 20mm to 1189mm on paper, as 84mm"),
-        (&["--width", "-84mm"], "a width is a length"),
-        (&["--font-size", "7"], "a font size is a length from 3pt to 30pt on paper"),
-        (&["--font-size", "70pt"], "a font size is a length"),
-        (&["--font", "a,b"], "a font is the name of one family"),
-        (&["--width", "30mm"], "this picture is at least 72mm wide with letters of 7pt, not 30mm"),
-    ] {
-        refused(&[&figure[..], more].concat(), "", words);
-    }
-    let words = "are for svg, png and pdf, not";
-    refused(&["map", "--no-caption", "--format", "csv"], "", words);
-    refused(&["draw", "--at", "T", "--width", "84mm", "--format", "dxf"], "", words);
-    #[cfg(feature = "plots")]
-    refused(
-        &[&figure[..], &["--font", "No Such", "--format", "pdf"]].concat(),
-        "",
-        "no font 'No Such'",
-    );
-}
-
-#[test]
-fn what_makes_no_picture_is_refused() {
-    for (arguments, words) in [
-        (&["map", "--plane", "eta-mu"][..], "a plane is one of thickness-friction"),
-        (&["map", "--lines", "--plane", "opening-friction", "-o", "map.svg"], "leave out --plane"),
-        (&["map", "--weight", "both", "--format", "svg"], "a map shows one --weight"),
-        (&["map", "--plane", "opening-friction", "-o", "map.html"], "a page shows the whole map"),
-        (&["map", "--curve", "limit", "--format", "html"], "a page shows the whole map"),
-        (&["map", "--lines", "--format", "html"], "a page shows the whole map"),
-        (&["figure", "6", "-o", "map.html"], "name the file .svg, .png or .pdf"),
-        (
-            &["map", "--thickness", "1", "-o", "map.svg"],
-            "over thickness and friction lines of a half opening are drawn",
-        ),
-        (
-            &["map", "--plane", "opening-friction", "--mu", "1", "-o", "map.svg"],
-            "over opening and friction lines of a thickness are drawn",
-        ),
-        (&["map", "--lines", "--alpha", "80deg", "-o", "map.svg"], "--lines are drawn alone"),
-        (&["map", "--bare", "--alpha", "80deg", "-o", "map.svg"], "a map that is --bare has no"),
-        (&["map", "point", "limit", "--at", "1.5", "--bare"], "unexpected argument '--bare'"),
-        (
-            &["map", "point", "limit", "--at", "1.5", "--scale", "log"],
-            "unexpected argument '--scale'",
-        ),
-        (&["map", "--thickness-range", "1", "-o", "map.svg"], "'1' is no range: two numbers"),
-        (
-            &["map", "--thickness-range", "1..0.5", "-o", "map.svg"],
-            "the smaller first, as in 0..0.5",
-        ),
-        (&["map", "--friction-range", "-1..5", "-o", "map.svg"], "'-1..5' is no range"),
-        (&["map", "--friction-range", "nan..5", "-o", "map.svg"], "'nan..5' is no range"),
-        (&["map", "--half-opening-range", "1..2", "-o", "map.svg"], "has no axis of opening"),
-        (
-            &["map", "--plane", "opening-friction", "--scale", "log", "-o", "map.svg"],
-            "the plane opening-friction has no axis of thickness",
-        ),
-        (
-            &["map", "--scale", "log", "--thickness-range", "0..1", "-o", "map.svg"],
-            "begins at 1e-9 or above",
-        ),
-        (&["map", "--scale", "cubic", "-o", "map.svg"], "cubic"),
-        (&["map", "--friction-unit", "mu", "-o", "map.csv"], "are for a map as svg, png or pdf"),
-        (
-            &["map", "--scale", "log", "--lines", "-o", "map.svg"],
-            "are for a map as svg, png or pdf",
-        ),
-        (&["map", "--mark", "80deg", "-o", "map.svg"], "a mark is a half opening, a friction"),
-        (
-            &["map", "--mark", "80deg,1,2,3", "-o", "map.svg"],
-            "a mark is a half opening, a friction",
-        ),
-        (&["map", "--mark", "200deg,1", "-o", "map.svg"], "is not between 0 and pi"),
-        (&["map", "--mark", "80deg,-1", "-o", "map.svg"], "the friction -1 is negative"),
-        (
-            &["map", "--mark", "80deg,1,3", "-o", "map.svg"],
-            "the thickness 3 is not between 0 and 2",
-        ),
-        (&["map", "--mark", "80deg,x", "-o", "map.svg"], "'x' is not a friction"),
-        (
-            &["map", "--mark", "80deg,1", "-o", "map.csv"],
-            "for --mark give a map as svg, png, pdf or html",
-        ),
-        (
-            &["map", "--mark", "80deg,1", "--lines", "-o", "map.svg"],
-            "for --mark give a map as svg, png, pdf or html",
-        ),
-        (&["figure", "0"], "a figure is a number from 1 to 12"),
-        (&["figure", "13"], "a figure is a number from 1 to 12"),
-        (&["figure", "6", "--weight", "both"], "figure 6 shows one --weight"),
-        (&["figure", "5", "--format", "csv"], "a format is one of svg, png"),
-        (&["figure", "5", "-o", "figure.csv"], "name the file .svg, .png or .pdf"),
-        (&["figure", "5", "--tolerance", "0"], "a tolerance is a number from 1e-12 to 1"),
-    ] {
-        refused(arguments, "", words);
-    }
+fn a_font_that_is_not_there_is_named() {
+    let figure = "figure 6 --tolerance 1e-2 --format pdf --font".words();
+    refused([&figure[..], &["No Such"]].concat(), "", "no font 'No Such'");
 }
 
 /// What asymmetric solutions reach is drawn in one plane, and is data without any.
 #[test]
 fn what_asymmetric_solutions_reach_is_drawn() {
-    let line = ["map", "--tolerance", "1e-2", "--asymmetric", "--bare"];
-    let with = |more: &[&str]| couplet(&[&line[..], more].concat());
-    let opening = ["--plane", "opening-friction", "--format", "svg"];
-    let svg = text(&with(&opening).stdout);
+    let svg = asymmetric("--bare");
     for id in
         ["asymmetric", "line-asymmetric-begins", "line-inner-sliding-shoulder-opening", "legend"]
     {
         assert!(svg.contains(&format!("<g id=\"{id}\">")), "{id}");
     }
     assert!(svg.contains("that there are no other solutions is not"), "said below");
-    let heyman = text(&with(&[&opening[..], &["--weight", "heyman"]].concat()).stdout);
+    let heyman = asymmetric("--bare --weight heyman");
     assert!(heyman.contains("turn back") && !svg.contains("turn back"));
-    let without = text(&couplet(&[&["map", "--tolerance", "1e-2"], &opening[..]].concat()).stdout);
+    let without = printed("map --tolerance 1e-2 --plane opening-friction --format svg");
     assert!(!without.contains("asymmetric") && !without.contains("legend"));
-    let data = text(&couplet(&["map", "--asymmetric", "--format", "csv"]).stdout);
+    let data = printed("map --asymmetric --format csv");
     assert!(data.lines().skip(1).all(|row| row.starts_with("milankovitch,")), "{data}");
     assert!(data.contains(",inner_sliding/shoulder_opening,"));
-    for wrong in [
-        &["--format", "svg"][..],
-        &["--format", "html"],
-        &["--plane", "opening-thickness", "--format", "svg"],
-    ] {
-        let (code, _, error) = said(&couplet(&[&["map", "--asymmetric"], wrong].concat()));
-        assert_eq!(code, Some(2));
-        assert!(
-            error.contains("--plane opening-friction") && error.lines().count() == 1,
-            "{error}"
-        );
-    }
 }
 
 /// A number of the tag that a text is in.
@@ -314,8 +183,7 @@ fn placed(svg: &str, words: &str, attribute: &str) -> f64 {
 
 fn asymmetric(more: &str) -> String {
     let line = "map --tolerance 1e-2 --asymmetric --plane opening-friction --format svg";
-    let words: Vec<&str> = line.split(' ').chain(more.split(' ')).collect();
-    text(&couplet(&words).stdout)
+    printed(format!("{line} {more}"))
 }
 
 /// The names of modes keep off the legend, of which no other text is the title.

@@ -12,7 +12,7 @@ use std::path::Path;
 fn example(name: &str) -> Scratch {
     let scratch = Scratch::new();
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name);
-    let output = couplet(&["run", scene.to_str().unwrap(), "--output", &scratch.path("")]);
+    let output = couplet(["run", scene.to_str().unwrap(), "--output", &scratch.path("")]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert!(output.stdout.is_empty());
     scratch

@@ -11,7 +11,7 @@ const BELOW: &str = "[constants]\nlandmarks = \"L\"\ndigits = 5\noutput = \"link
 /// A scene in a folder with an empty folder `o`, and a run into that.
 fn run(scratch: &Scratch, text: &str, options: &[&str]) -> Output {
     let scene = scene_in(scratch, text);
-    couplet(&[&["run", &scene, "-o", &scratch.path("o")], options].concat())
+    couplet([&["run", &scene, "-o", &scratch.path("o")], options].concat())
 }
 
 fn scratch() -> Scratch {
@@ -74,7 +74,7 @@ mod links {
         assert_eq!(scratch.files("o/inside"), ["f.csv"]);
         symlink("o", scratch.path("other")).unwrap();
         let scene = scene_in(&scratch, ONE);
-        let output = couplet(&["run", &scene, "-o", &scratch.path("other")]);
+        let output = couplet(["run", &scene, "-o", &scratch.path("other")]);
         assert_eq!(output.status.code(), Some(0));
         assert_eq!(scratch.files("o"), ["couplet-run.json", "f.csv", "inside", "link"]);
     }
@@ -131,7 +131,7 @@ fn a_scene_without_a_folder_keeps_what_is_in_the_current_one() {
     let scratch = scratch();
     scratch.write("f.csv", "mine");
     scene_in(&scratch, ONE);
-    let run = || command(&["run", "scene.toml"]).current_dir(scratch.folder()).output().unwrap();
+    let run = || command("run scene.toml").current_dir(scratch.folder()).output().unwrap();
     is_refused(&run(), 2, "f.csv is there, and no run wrote it");
     fs::remove_file(scratch.path("f.csv")).unwrap();
     assert_eq!((run().status.code(), run().status.code()), (Some(0), Some(0)));
@@ -151,5 +151,5 @@ fn a_record_larger_than_any_is_no_record() {
 #[test]
 fn a_run_has_no_standard_output_for_a_folder() {
     let text = format!("schema = \"couplet.scene/1\"\n{ONE}");
-    is_refused(&fed(&["run", "-", "-o", "-"], text), 2, "not to standard output");
+    is_refused(&fed("run - -o -", text), 2, "not to standard output");
 }

@@ -14,7 +14,7 @@ mod reading;
 mod resume;
 mod same;
 
-use crate::program::Scratch;
+use crate::program::{Scratch, Words, couplet, said};
 use couplet::scene::{Fault, read};
 
 const HEAD: &str = "schema = \"couplet.scene/1\"\n";
@@ -23,6 +23,26 @@ const HEAD: &str = "schema = \"couplet.scene/1\"\n";
 fn scene_in(scratch: &Scratch, text: &str) -> String {
     scratch.write("scene.toml", format!("{HEAD}{text}"));
     scratch.path("scene.toml")
+}
+
+/// Runs a scene of this text into `out`, where it does all that it is asked; what it says on standard error.
+fn run(scratch: &Scratch, text: &str, options: &str) -> String {
+    let (scene, out) = (scene_in(scratch, text), scratch.path("out"));
+    let all = [&["run", &scene, "--output", &out][..], &options.words()].concat();
+    let (code, _, message) = said(&couplet(all));
+    assert_eq!(code, Some(0), "{message}");
+    message
+}
+
+/// The words of the command that the caption of a picture names.
+fn caption(picture: &str) -> &str {
+    picture.split("Command: couplet ").nth(1).unwrap().split('<').next().unwrap()
+}
+
+/// A picture but for the command in its caption.
+fn body(svg: &str) -> String {
+    let drawn = svg.split("<g id=\"caption\">").next().unwrap();
+    drawn.lines().skip(3).collect::<Vec<_>>().join("\n")
 }
 
 fn place(fault: &Fault) -> String {

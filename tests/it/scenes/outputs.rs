@@ -1,7 +1,7 @@
 //! What is written, and what cannot be.
 
-use super::{HEAD, column, scene_in};
-use crate::program::{Scratch, couplet, text};
+use super::{HEAD, column, run, scene_in};
+use crate::program::{Scratch, couplet, object, said, text};
 use couplet::problem::Quantity;
 use serde_json::Value;
 use std::fs;
@@ -14,15 +14,11 @@ fn an_output_does_not_depend_on_what_else_is_asked() {
                 quantities = \"thickness\"\n";
     let others = "[[constants]]\ndigits = 300\noutput = \"b.csv\"\n\
                   [[arches]]\nhalf_opening = [2, 1]\nfriction = \"7/10\"\ndigits = 90\noutput = \"c.json\"\n";
-    let alone = scene_in(&scratch, item);
-    assert_eq!(couplet(&["run", &alone, "-o", &scratch.path("alone")]).status.code(), Some(0));
-    let among = scene_in(&scratch, &format!("{others}{item}"));
-    assert_eq!(couplet(&["run", &among, "-o", &scratch.path("among")]).status.code(), Some(0));
-    for name in ["a.json", "a.csv"] {
-        let (alone, among) =
-            (scratch.read(&format!("alone/{name}")), scratch.read(&format!("among/{name}")));
-        assert_eq!(alone, among, "{name}");
-    }
+    let written = |scene: &str| {
+        run(&scratch, scene, "");
+        ["a.json", "a.csv"].map(|name| scratch.read(&format!("out/{name}")))
+    };
+    assert_eq!(written(item), written(&format!("{others}{item}")));
 }
 
 /// An item whose format has the errors of doubles has each arch proved alone; without it those of one half opening
@@ -36,30 +32,23 @@ fn a_grid_has_the_digits_of_each_of_its_arches_alone() {
     for asked in ["digits = 17\n", "digits = 32\nquantities = \"thrust\"\n"] {
         let grid = |output: &str| format!("{arches}{asked}output = \"{output}\"\n");
         let shared = grid("a.csv") + &grid("a.json");
-        for (scene, out) in [(shared.clone(), "shared"), (shared + &grid("a.toml"), "alone")] {
-            let scene = scene_in(&scratch, &scene);
-            let out = scratch.path(out);
-            assert_eq!(couplet(&["run", &scene, "-o", &out]).status.code(), Some(0));
-        }
-        for name in ["a.csv", "a.json"] {
-            let read = |of: &str| scratch.read(&format!("{of}/{name}"));
-            let (shared, alone) = (read("shared"), read("alone"));
-            assert!(shared == alone && shared.contains("[r,r,r]"), "{shared}\n{alone}");
-        }
+        let written = |scene: &str| {
+            run(&scratch, scene, "");
+            ["a.csv", "a.json"].map(|name| scratch.read(&format!("out/{name}")))
+        };
+        let (together, alone) = (written(&shared), written(&(shared.clone() + &grid("a.toml"))));
+        assert_eq!(together, alone);
+        assert!(together.iter().all(|text| text.contains("[r,r,r]")), "{together:?}");
     }
 }
 
 #[test]
 fn a_file_of_arches_has_what_is_asked_and_null_for_the_rest() {
     let scratch = Scratch::new();
-    let scene = scene_in(
-        &scratch,
-        "digits = 17\n[[arches]]\nhalf_opening = 1\nfriction = 1\nquantities = \"thrust\"\noutput = \"a.json\"\n\
-         [[arches]]\nhalf_opening = 1\nfriction = 1\nthickness = 0.1\nquantities = \"largest_thrust\"\n\
-         output = \"b.json\"\n",
-    );
-    let out = scratch.path("out");
-    assert_eq!(couplet(&["run", &scene, "--output", &out]).status.code(), Some(0));
+    let scene = "digits = 17\n[[arches]]\nhalf_opening = 1\nfriction = 1\nquantities = \"thrust\"\noutput = \"a.json\"\n\
+                 [[arches]]\nhalf_opening = 1\nfriction = 1\nthickness = 0.1\nquantities = \"largest_thrust\"\n\
+                 output = \"b.json\"\n";
+    run(&scratch, scene, "");
     for (name, asked, others) in [
         ("a.json", "thrust", &Quantity::STATE[..]),
         ("b.json", "largest_thrust", &Quantity::ASSESSMENT[..]),
@@ -80,9 +69,7 @@ fn a_file_of_arches_has_what_is_asked_and_null_for_the_rest() {
 fn what_cannot_be_decided_is_said_and_tried_again() {
     let scratch = Scratch::new();
     // A friction nearer to the one at which the mode changes than any precision that is tried can tell.
-    let state = ["state", "--half-opening", "pi/2", "--friction", "1", "--weight", "heyman"];
-    let output = couplet(&[&state[..], &["--digits", "3000", "--format", "json"]].concat());
-    let state: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let state = object("state --half-opening pi/2 --friction 1 --weight heyman --digits 3000");
     let critical = state["rotational_friction"]["value"].as_str().unwrap();
     let scene = scene_in(
         &scratch,
@@ -93,7 +80,7 @@ fn what_cannot_be_decided_is_said_and_tried_again() {
     );
     let out = scratch.path("out");
     for _ in 0..2 {
-        let output = couplet(&["run", &scene, "--output", &out, "--resume"]);
+        let output = couplet(["run", &scene, "--output", &out, "--resume"]);
         assert_eq!(output.status.code(), Some(1));
         let stderr = text(&output.stderr);
         assert!(stderr.starts_with("written "), "{stderr}");
@@ -107,38 +94,22 @@ fn what_cannot_be_decided_is_said_and_tried_again() {
 /// Work that would take long.
 const SLOW: &str = "[constants]\ndigits = 1_000_000\noutput = \"a.csv\"\n";
 
-/// Known before any work: a file where a folder should be.
-fn cannot_be_a_folder(folder: &str) {
+/// A file as the folder of outputs, a folder below a file, and a folder in the place of an output.
+#[test]
+fn what_cannot_be_written_is_known_before_any_work() {
     let scratch = Scratch::new();
     scratch.write("file", "");
     let scene = scene_in(&scratch, SLOW);
-    let output = couplet(&["run", &scene, "--output", &scratch.path(folder)]);
-    assert_eq!(output.status.code(), Some(3), "{folder}");
-    assert_eq!(text(&output.stderr).lines().count(), 1);
-}
-
-#[test]
-fn a_file_as_the_folder_of_outputs_is_known_before_any_work() {
-    cannot_be_a_folder("file");
-}
-
-#[test]
-fn a_folder_below_a_file_is_known_before_any_work() {
-    cannot_be_a_folder("file/below");
-}
-
-#[test]
-fn a_folder_as_an_output_is_known_before_any_work() {
-    let scratch = Scratch::new();
-    let scene = scene_in(&scratch, SLOW);
     fs::create_dir_all(scratch.path("out/a.csv")).unwrap();
-    let output = couplet(&["run", &scene, "--output", &scratch.path("out")]);
-    assert_eq!(output.status.code(), Some(3));
+    for folder in ["file", "file/below", "out"] {
+        let (code, _, message) = said(&couplet(["run", &scene, "--output", &scratch.path(folder)]));
+        assert_eq!((code, message.lines().count()), (Some(3), 1), "{folder}: {message}");
+    }
 }
 
 #[test]
 fn a_missing_scene_is_a_resource_failure() {
-    let output = couplet(&["run", &Scratch::new().path("none.toml")]);
+    let output = couplet(["run", &Scratch::new().path("none.toml")]);
     assert_eq!(output.status.code(), Some(3));
 }
 
@@ -146,7 +117,7 @@ fn a_missing_scene_is_a_resource_failure() {
 fn the_scene_itself_is_not_written_over() {
     let scratch = Scratch::new();
     scratch.write("a.csv", format!("{HEAD}{SLOW}"));
-    let output = couplet(&["run", &scratch.path("a.csv"), "--output", &scratch.path("")]);
+    let output = couplet(["run", &scratch.path("a.csv"), "--output", &scratch.path("")]);
     assert_eq!(output.status.code(), Some(2));
     assert!(scratch.read("a.csv").contains("1_000_000"));
 }

@@ -7,7 +7,7 @@ use crate::program::{Scratch, couplet, text};
 fn a_plan_is_printed_and_nothing_is_written() {
     let scratch = Scratch::new();
     let scene = scene_in(&scratch, THREE);
-    let output = couplet(&["run", &scene, "--output", &scratch.path("out"), "--plan"]);
+    let output = couplet(["run", &scene, "--output", &scratch.path("out"), "--plan"]);
     assert_eq!(output.status.code(), Some(0));
     let tree = text(&output.stdout);
     for line in [
@@ -27,7 +27,7 @@ fn a_plan_is_printed_and_nothing_is_written() {
 fn what_was_computed_is_explained_with_its_cost() {
     let scratch = Scratch::new();
     let scene = scene_in(&scratch, ONE_THICKNESS);
-    let output = couplet(&["run", &scene, "--explain"]);
+    let output = couplet(["run", &scene, "--explain"]);
     assert!(text(&output.stdout).contains("0.107478038107476"));
     let tree = text(&output.stderr);
     assert!(tree.contains("evaluations: (2) "), "{tree}");
@@ -43,7 +43,7 @@ fn what_was_computed_is_explained_with_its_cost() {
 fn an_arch_that_shares_a_proof_is_said_to_do_so() {
     let scratch = Scratch::new();
     let many = "[arches]\nhalf_opening = \"pi/2\"\nfriction = [1, 2, 3, 4]\nformat = \"csv\"\n";
-    let output = couplet(&["run", &scene_in(&scratch, many), "--explain", "--threads", "1"]);
+    let output = couplet(["run", &scene_in(&scratch, many), "--explain", "--threads", "1"]);
     let tree = text(&output.stderr);
     // Two are proved alone, and what the third makes is shared.
     assert_eq!(

@@ -1,39 +1,20 @@
 //! `[[arches]]` between two ends, and ranges that are cut into boxes.
 
-use super::{column, faults, scene_in};
-use crate::program::{Scratch, couplet, said, text};
+use super::{column, run, scene_in};
+use crate::program::{Scratch, couplet, json, object, printed, said};
 use serde_json::Value;
 
 /// What a scene of one item writes, as JSON.
-fn object(item: &str) -> Value {
+fn answer(item: &str) -> Value {
     let scratch = Scratch::new();
-    let scene = scene_in(&scratch, &format!("[[arches]]\n{item}\nformat = \"json\"\n"));
-    let output = couplet(&["run", &scene, "-o", &scratch.path("out")]);
-    assert_eq!(output.status.code(), Some(0), "{item}: {}", text(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
+    let text = format!("[[arches]]\n{item}\nformat = \"json\"\n");
+    json(["run", &scene_in(&scratch, &text)])
 }
 
+/// Ranges beside lists and steps, of both weights.
 #[test]
-fn an_item_with_ranges_is_answered_as_assess_answers() {
-    for (item, asked) in [
-        (
-            "half_opening = \"80deg±1deg\"\nfriction = 0.6\nthickness = \"0.1..0.12\"",
-            "assess --alpha 80deg±1deg --mu 0.6 --eta 0.1..0.12",
-        ),
-        (
-            "span = \"10m±10cm\"\nrise = \"3m\"\nphi = \"30deg..32deg\"\neta = \"15cm±1cm\"\nweight = \"heyman\"",
-            "assess --span 10m±10cm --rise 3m --phi 30deg..32deg --eta 15cm±1cm --weight heyman",
-        ),
-        (
-            "alpha = \"1..1.2\"\nmu = \"0.5..inf\"\ndigits = 9",
-            "state --alpha 1..1.2 --mu 0.5..inf --digits 9",
-        ),
-    ] {
-        let line: Vec<&str> = asked.split(' ').chain(["--format", "json"]).collect();
-        let alone: Value = serde_json::from_slice(&couplet(&line).stdout).unwrap();
-        assert_eq!(object(item), alone, "{asked}");
-    }
-    let all = object(
+fn an_item_has_an_answer_for_each_choice() {
+    let all = answer(
         "alpha = [\"1..1.2\", 1.5]\nmu = { from = 0.6, to = 0.7, steps = 2 }\nweight = \"both\"",
     );
     let all = all.as_array().unwrap();
@@ -48,15 +29,14 @@ const BOXES: &str = "alpha = { from = \"78deg\", to = \"84deg\", boxes = 3 }\n\
 /// Each box is the answer to its own question; the boxes touch and are all of it, and the counts are theirs.
 #[test]
 fn boxes_are_counted_by_what_is_proved_of_each() {
-    let all = object(BOXES);
+    let all = answer(BOXES);
     let cells = all["cells"].as_array().unwrap();
     assert_eq!((all["boxes"].as_u64(), cells.len()), (Some(36), 36));
     let mut counts = std::collections::BTreeMap::new();
     for cell in cells {
         let asked = |name: &str| cell[name].as_str().unwrap().to_owned();
         let [alpha, mu, eta] = ["half_opening", "friction", "thickness"].map(asked);
-        let line = ["assess", "--alpha", &alpha, "--mu", &mu, "--eta", &eta, "--format", "json"];
-        let alone: Value = serde_json::from_slice(&couplet(&line).stdout).unwrap();
+        let alone = object(format!("assess --alpha {alpha} --mu {mu} --eta {eta}"));
         assert_eq!(cell["outcome"], alone["outcome"]);
         for range in alone["ranges"].as_array().unwrap() {
             let name = range["quantity"].as_str().unwrap();
@@ -90,7 +70,7 @@ fn boxes_are_counted_by_what_is_proved_of_each() {
 #[test]
 fn finer_boxes_leave_less_open() {
     let both = |item: &str| {
-        let all = object(item);
+        let all = answer(item);
         let of = |name: &str| {
             let all = all["outcomes"].as_array().unwrap().iter();
             let share = all.clone().find(|outcome| outcome["outcome"] == name).unwrap();
@@ -113,8 +93,7 @@ fn boxes_are_a_summary_a_table_and_lengths_too() {
     let item = "[[arches]]\nspan = { from = \"9.9m\", to = \"10.1m\", boxes = 2 }\nrise = \"3m\"\nmu = \"0.5..0.6\"\n\
         eta = { from = \"12cm\", to = \"0.2m\", boxes = 4 }\nweight = \"heyman\"\n";
     let scene = scene_in(&scratch, &format!("{item}{item}output = \"a.csv\"\n"));
-    let (code, table, _) = said(&couplet(&["run", &scene, "-o", &scratch.path("out")]));
-    assert_eq!(code, Some(0));
+    let table = printed(["run", &scene, "-o", &scratch.path("out")]);
     assert!(table.contains("8 boxes: thickness in 4, span in 2"), "{table}");
     assert!(table.contains("part that stands: "), "{table}");
     let csv = scratch.read("out/a.csv");
@@ -135,7 +114,7 @@ fn boxes_are_a_summary_a_table_and_lengths_too() {
 fn boxes_without_a_thickness_can_stand_or_not() {
     let item = "alpha = { from = \"100deg\", to = \"150deg\", boxes = 5 }\nmu = { from = 0.3, to = 1.5, boxes = 4 }\n\
         weight = \"both\"";
-    let all = object(item);
+    let all = answer(item);
     let counts = |of: &Value| -> Vec<(String, u64)> {
         let all = of["outcomes"].as_array().unwrap().iter();
         all.map(|of| (of["outcome"].as_str().unwrap().to_owned(), of["boxes"].as_u64().unwrap()))
@@ -149,8 +128,7 @@ fn boxes_without_a_thickness_can_stand_or_not() {
         assert_eq!(counts(of).iter().map(|(_, boxes)| boxes).sum::<u64>(), 20);
     }
     let scratch = Scratch::new();
-    let scene = scene_in(&scratch, &format!("[[arches]]\n{item}\noutput = \"a.csv\"\n"));
-    assert_eq!(couplet(&["run", &scene, "-o", &scratch.path("out")]).status.code(), Some(0));
+    run(&scratch, &format!("[[arches]]\n{item}\noutput = \"a.csv\"\n"), "");
     let csv = scratch.read("out/a.csv");
     let header: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
     let each: std::collections::BTreeSet<&&str> = header.iter().collect();
@@ -166,11 +144,8 @@ fn boxes_without_a_thickness_can_stand_or_not() {
 #[test]
 fn boxes_are_kept_or_computed_again() {
     let scratch = Scratch::new();
-    let out = scratch.path("out");
     let run = |item: &str| {
-        let scene = scene_in(&scratch, &format!("[[arches]]\n{item}output = \"a.json\"\n"));
-        let (code, _, told) = said(&couplet(&["run", &scene, "-o", &out, "--resume"]));
-        assert_eq!(code, Some(0), "{told}");
+        let told = run(&scratch, &format!("[[arches]]\n{item}output = \"a.json\"\n"), "--resume");
         (told, scratch.read("out/a.json"))
     };
     let (first, bytes) = run(BOXES);
@@ -185,76 +160,6 @@ fn boxes_are_kept_or_computed_again() {
     assert!(list.contains("written") && boxes.contains("written"), "a summary is another answer");
 }
 
-#[test]
-fn what_makes_no_boxes_is_told_in_one_line() {
-    let told = |item: &str| faults(&format!("[[arches]]\n{item}\n")).join("\n");
-    let alpha = "alpha = \"1..1.2\"\n";
-    for (item, words) in [
-        (
-            "alpha = { from = 1, to = 1.2, boxes = 0 }\nmu = 1",
-            "3:39: boxes 0 is not a whole number from 1",
-        ),
-        (
-            "alpha = { from = 1, boxes = 2 }\nmu = 1",
-            "half_opening has no to; a range is { from = …, to = …, boxes = … }",
-        ),
-        ("alpha = { from = 1, to = 1.2, steps = 2, boxes = 2 }\nmu = 1", "unknown key \"steps\""),
-        (
-            "alpha = { from = 1.2, to = 1, boxes = 2 }\nmu = 1",
-            "half_opening: '1.2..1' does not rise",
-        ),
-        (
-            "alpha = { from = 1, to = \"80deg\", boxes = 2 }\nmu = 1",
-            "half_opening: '1..80deg' is in two units",
-        ),
-        ("alpha = { from = 1, to = 4, boxes = 900 }\nmu = 1", "4 is not between 0 and pi"),
-        ("alpha = 1\nmu = { from = 0.5, to = \"inf\", boxes = 2 }", "'inf' is not a number"),
-        (
-            "alpha = { from = 1, to = 1.2, boxes = 2 }\nmu = [0.5, 0.6]",
-            "beside boxes friction is one value",
-        ),
-        (
-            "alpha = { from = \"1..1.1\", to = 1.2, boxes = 2 }\nmu = 1",
-            "half_opening 1..1.1 is a range: ranges are for",
-        ),
-        ("alpha = { from = 1, to = 1.2, boxes = 100001 }\nmu = 1", "from 1 to 100000"),
-        (
-            "alpha = { from = 1, to = 1.2, boxes = 90000 }\nmu = { from = 0.1, to = 1, boxes = 2 }",
-            "180000 arches are too many",
-        ),
-        (&format!("{alpha}mu = \"0.6..0.5\""), "the range 0.6..0.5 is empty"),
-        (&format!("{alpha}mu = \"0.5..\""), "half a range"),
-        (&format!("{alpha}mu = 1\nphi = 1"), "say the same"),
-        (alpha, "friction (or friction_angle) is missing"),
-        (
-            &format!("{alpha}mu = 1\nformat = \"toml\""),
-            "written only as table, json, csv, csv2, latex, markdown, not toml",
-        ),
-        (&format!("{alpha}mu = 1\nquantities = \"geometric_safety\""), "needs a thickness"),
-        (
-            "radius = \"5m..6m\"\nalpha = 1\nmu = 1\neta = \"1m\"\ndensity = \"24kN/m3\"\ndepth = \"2m..1m\"",
-            "2m..1m is empty",
-        ),
-    ] {
-        let told = told(item);
-        assert!(told.contains(words) && told.lines().count() == 1, "{item}: {told}");
-    }
-    for (item, words) in [
-        (
-            "half_opening = \"79deg..81deg\"\nfriction = 1",
-            "half_opening 79deg..81deg is a range: ranges are for",
-        ),
-        ("span = \"9m..10m\"\nrise = \"3m\"\nfriction = 1", "is a range"),
-        (
-            "half_opening = { from = 1, to = 2, boxes = 2 }\nfriction = 1",
-            "[[arches]] of a scene takes alone",
-        ),
-    ] {
-        let told = faults(&format!("[[drawing]]\n{item}\noutput = \"a.svg\"\n")).join("\n");
-        assert!(told.contains(words) && told.lines().count() == 1, "{item}: {told}");
-    }
-}
-
 #[cfg(feature = "parquet")]
 #[test]
 fn a_sweep_refuses_boxes_with_what_takes_them() {
@@ -264,7 +169,7 @@ fn a_sweep_refuses_boxes_with_what_takes_them() {
     scratch.write("plan.toml", plan);
     let words = "is cut into boxes, which [[arches]] of a scene takes alone; give steps here";
     let (code, _, told) =
-        said(&couplet(&["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("out")]));
+        said(&couplet(["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("out")]));
     assert_eq!((code, told.lines().count()), (Some(2), 2), "{told}");
     assert!(told.contains(&format!("plan.toml:4:16: half_opening {words}")), "{told}");
 }

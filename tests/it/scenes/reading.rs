@@ -9,7 +9,7 @@ use std::time::Duration;
 
 #[test]
 fn the_example_is_a_scene_and_has_every_key() {
-    let output = couplet(&["run", "--schema"]);
+    let output = couplet("run --schema");
     assert_eq!((output.status.code(), text(&output.stdout)), (Some(0), EXAMPLE.to_owned()));
     let scene = read(EXAMPLE).unwrap();
     for kind in ItemKind::ALL {
@@ -60,27 +60,19 @@ fn fault(bytes: &[u8]) -> String {
 const SCHEMA: &str = "\"couplet.scene/1\"";
 
 #[test]
-fn another_version_is_said_and_no_more() {
-    let message =
-        format!("2:10: schema \"couplet.scene/2\" is not one that is read here: {SCHEMA}");
-    assert_eq!(fault(b"colour = 1\nschema = \"couplet.scene/2\"\n"), message);
-}
-
-#[test]
-fn a_missing_schema_is_said_and_no_more() {
-    let message = format!("1:1: schema is missing; a scene has schema = {SCHEMA}");
-    assert_eq!(fault(b"[constants]\n"), message);
-}
-
-#[test]
-fn what_is_not_utf_8_has_its_place() {
-    assert_eq!(fault(b"a = 1\n# \xe4\n"), "2:3: not TOML: this is not valid UTF-8");
-}
-
-#[test]
-fn a_byte_too_many_is_refused() {
+fn what_is_no_scene_of_this_version_is_said_and_no_more() {
     let long = vec![b'#'; MAX_BYTES + 1];
-    assert_eq!(fault(&long), format!("1:1: a scene has at most {MAX_BYTES} bytes"));
+    let many = format!("1:1: a scene has at most {MAX_BYTES} bytes");
+    let other = format!("2:10: schema \"couplet.scene/2\" is not one that is read here: {SCHEMA}");
+    let missing = format!("1:1: schema is missing; a scene has schema = {SCHEMA}");
+    for (bytes, message) in [
+        (&b"colour = 1\nschema = \"couplet.scene/2\"\n"[..], &*other),
+        (b"[constants]\n", &missing),
+        (b"a = 1\n# \xe4\n", "2:3: not TOML: this is not valid UTF-8"),
+        (&long, &many),
+    ] {
+        assert_eq!(fault(bytes), message);
+    }
 }
 
 /// Nested deeper than anything that is meant.
@@ -127,7 +119,7 @@ fn a_number_is_what_its_text_says() {
     let scene = "[arches]\nhalf_opening = \"pi/2\"\nquantities = \"thickness\"\ndigits = 40\n";
     let run = |friction: &str| {
         let path = scene_in(&scratch, &format!("{scene}friction = {friction}\n"));
-        let output = couplet(&["run", &path]);
+        let output = couplet(["run", &path]);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         let words = text(&output.stdout);
         words.split_whitespace().find(|word| word.starts_with("0.1")).unwrap().to_owned()
@@ -181,10 +173,10 @@ fn steps_have_the_units_of_every_range() {
 #[test]
 fn a_scene_may_come_from_standard_input() {
     let one = "[constants]\nlandmarks = \"T\"\nquantities = \"thickness\"\ndigits = 12\n";
-    let output = fed(&["run", "-"], format!("{HEAD}{one}"));
+    let output = fed("run -", format!("{HEAD}{one}"));
     assert_eq!(output.status.code(), Some(0));
     assert!(text(&output.stdout).contains("0.618318241074"));
-    let output = fed(&["run", "-"], one);
+    let output = fed("run -", one);
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).starts_with("standard input:1:1: schema is missing; "));
 }

@@ -30,7 +30,7 @@ fn a_run_is_the_same_every_time() {
     let scene = scene_in(&scratch, THREE);
     let mut all = Vec::new();
     for (folder, threads) in [("one", "1"), ("two", "2"), ("three", "7")] {
-        let output = command(&["run", &scene, "--output", &scratch.path(folder)])
+        let output = command(["run", &scene, "--output", &scratch.path(folder)])
             .env("RAYON_NUM_THREADS", threads)
             .output()
             .unwrap();
@@ -52,7 +52,7 @@ fn resuming_keeps_what_is_complete_by_its_content() {
     let scratch = Scratch::new();
     let scene = scene_in(&scratch, THREE);
     let out = scratch.path("out");
-    let resume = || couplet(&["run", &scene, "--output", &out, "--resume"]);
+    let resume = || couplet(["run", &scene, "--output", &out, "--resume"]);
     let all = ["constants.json", "arches.csv", "claims.json"];
     assert!(kept(&resume()).is_empty(), "nothing is there yet");
     let first = all.map(|name| {
@@ -65,14 +65,14 @@ fn resuming_keeps_what_is_complete_by_its_content() {
     });
     assert_eq!(kept(&resume()), all);
     // What is printed is printed again, and is all that is computed.
-    let again = couplet(&["run", &scene, "--output", &out, "--resume", "--explain"]);
+    let again = couplet(["run", &scene, "--output", &out, "--resume", "--explain"]);
     assert!(
         text(&again.stderr).contains("to compute: 1 arch, each once"),
         "{}",
         text(&again.stderr)
     );
     // Without --resume everything is written anew.
-    assert!(kept(&couplet(&["run", &scene, "--output", &out])).is_empty());
+    assert!(kept(&couplet(["run", &scene, "--output", &out])).is_empty());
 
     // Damaged, then gone: that one is written again as it was.
     fs::write(scratch.path("out/deep/arches.csv"), "weight,half_opening\n").unwrap();
@@ -106,7 +106,7 @@ fn resuming_keeps_what_is_complete_by_its_content() {
             "{message}"
         );
         assert_eq!(scratch.read("out/couplet-run.json"), record);
-        let over = couplet(&["run", &scene, "--output", &out, "--resume", "--overwrite"]);
+        let over = couplet(["run", &scene, "--output", &out, "--resume", "--overwrite"]);
         assert!(kept(&over).is_empty(), "{record}");
     }
 }
@@ -120,7 +120,7 @@ fn an_interrupted_run_leaves_whole_files_and_goes_on_where_it_was() {
     let scene = scene_in(&scratch, &format!("{quick}{slow}"));
     let out = scratch.path("out");
     let mut child =
-        command(&["run", &scene, "--output", &out]).stderr(Stdio::piped()).spawn().unwrap();
+        command(["run", &scene, "--output", &out]).stderr(Stdio::piped()).spawn().unwrap();
     let start = Instant::now();
     let is_noted = || {
         let record = fs::read_to_string(scratch.path("out/couplet-run.json"));
@@ -135,6 +135,6 @@ fn an_interrupted_run_leaves_whole_files_and_goes_on_where_it_was() {
     assert_eq!(scratch.files("out"), ["couplet-run.json", "quick.csv"]);
     // The slow item is not what is tested here.
     scene_in(&scratch, &format!("{quick}{}", slow.replace("1_000_000", "100")));
-    let output = couplet(&["run", &scene, "--output", &out, "--resume"]);
+    let output = couplet(["run", &scene, "--output", &out, "--resume"]);
     assert_eq!(said(&output), [("quick.csv".to_owned(), true), ("slow.csv".to_owned(), false)]);
 }

@@ -1,13 +1,13 @@
 //! One question has one answer: of the command and of a scene.
 
 use super::{place, scene_in};
-use crate::program::{Scratch, couplet, said, text};
+use crate::program::{Scratch, couplet, said};
 use couplet::scene::read;
 
 /// What a scene answers: its exit code, what it prints, and what it says, without places.
 fn scene(table: &str) -> (Option<i32>, String, String) {
     let scratch = Scratch::new();
-    let (code, printed, said) = said(&couplet(&["run", &scene_in(&scratch, table)]));
+    let (code, printed, said) = said(&couplet(["run", &scene_in(&scratch, table)]));
     let first = said.lines().next().unwrap_or_default();
     let message = first.split_once(": ").map_or("", |(_, message)| message);
     (code, printed, message.to_owned())
@@ -40,8 +40,7 @@ fn what_has_no_effect_is_refused_alike() {
         ("--scale log --format csv", "scale = \"log\"\nformat = \"csv\""),
         ("--mark 1,1 --format csv", "marks = \"1,1\"\nformat = \"csv\""),
     ] {
-        let words: Vec<&str> = ["map"].into_iter().chain(arguments.split(' ')).collect();
-        let (code, printed, error) = said(&couplet(&words));
+        let (code, printed, error) = said(&couplet(format!("map {arguments}")));
         assert_eq!((code, printed.as_str()), (Some(2), ""), "{arguments}");
         assert_eq!(error.lines().count(), 1, "{error}");
         let (code, printed, message) = scene(&format!("[[map]]\n{table}\n"));
@@ -85,13 +84,12 @@ fn what_makes_sense_is_answered_alike() {
             "",
         ),
     ] {
-        let words: Vec<&str> = arguments.split(' ').collect();
-        let alone = couplet(&words);
-        assert_eq!(alone.status.code(), Some(0), "{arguments}");
-        assert_eq!(text(&alone.stderr).contains("counts once"), !note.is_empty(), "{arguments}");
+        let (done, alone, remarks) = said(&couplet(arguments));
+        assert_eq!(done, Some(0), "{arguments}");
+        assert_eq!(remarks.contains("counts once"), !note.is_empty(), "{arguments}");
         let (code, printed, message) = scene(&format!("{table}\n"));
         assert_eq!((code, message.as_str()), (Some(0), note), "{table}");
-        assert_eq!(printed, text(&alone.stdout), "{arguments}");
+        assert_eq!(printed, alone, "{arguments}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! The folder of a sweep: what is in it and does not belong there, and with which record it is opened.
 
-use super::{files, folder, planned, sweep, sweeps};
+use super::{files, folder, look, planned, sweep, sweeps};
 use crate::export::parquet::read;
 use crate::program::{couplet, said};
 use parquet::record::Field;
@@ -12,7 +12,7 @@ fn a_folder_is_looked_through_with_a_hundred_rows_and_says_so() {
     let scratch =
         planned("[grid]\nhalf_opening = 1\nfriction = { from = 0.3, to = 0.5, steps = 150 }\n");
     sweep(&scratch, "out", &[]);
-    let (code, out, message) = said(&couplet(&["sweep", &folder(&scratch, "out")]));
+    let (code, out, message) = said(&couplet(["sweep", &folder(&scratch, "out")]));
     assert_eq!(code, Some(0));
     assert!(out.contains("; 100 rows proved again bit for bit"), "{out}");
     assert_eq!(
@@ -29,7 +29,7 @@ fn a_link_to_a_folder_is_looked_through() {
     let scratch = planned("[sample]\ncount = 3\n");
     sweep(&scratch, "out", &[]);
     let home = folder(&scratch, "out");
-    let looked = |path: &str| couplet(&["sweep", path, "--verify", "0"]).status.code();
+    let looked = |path: &str| look(path, "0").0;
     symlink(&home, scratch.path("link")).unwrap();
     assert_eq!(looked(&scratch.path("link")), Some(0));
     fs::rename(&home, scratch.path("elsewhere")).unwrap();
@@ -69,8 +69,7 @@ fn of_many_other_sweeps_some_are_named_and_the_rest_counted() {
     let scratch = planned("[sample]\ncount = 3\n");
     fs::create_dir(scratch.path("out")).unwrap();
     (0..300).for_each(|k| scratch.write(&format!("out/sweep-{k:016x}.json"), "{}"));
-    let (code, _, message) =
-        said(&couplet(&["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("out")]));
+    let (code, _, message) = sweep(&scratch, "out", &[]);
     assert_eq!(code, Some(0), "{message}");
     assert!(message.ends_with(", sweep-0000000000000009 and 290 more\n"), "{message}");
     assert!(!message.contains("sweep-000000000000000a"), "{message}");
@@ -83,7 +82,7 @@ fn what_was_forged_is_found() {
     );
     sweep(&scratch, "out", &[]);
     let home = folder(&scratch, "out");
-    let looked = || said(&couplet(&["sweep", &home, "--verify", "50"]));
+    let looked = || look(&home, "50");
     let (code, out, message) = looked();
     assert_eq!((code, message.as_str()), (Some(0), ""));
     assert!(out.contains("50 rows proved again bit for bit, 20 of them certified"), "{out}");
@@ -166,7 +165,7 @@ fn a_name_tells_what_is_in_a_part_and_what_it_tells_wrong_is_found() {
         );
         let expected = if is_seen { (Some(2), line.as_str()) } else { (Some(0), "") };
         assert_eq!((code, message.as_str()), expected);
-        let (code, _, message) = said(&couplet(&["sweep", &home, "--verify", "0"]));
+        let (code, _, message) = look(&home, "0");
         assert_eq!(code, Some(1));
         assert!(
             message.starts_with(&format!("couplet: {wrong} does not belong here\n")),
@@ -186,7 +185,7 @@ fn what_is_no_part_is_named_by_a_second_run_and_by_a_look() {
         let (code, out, message) = sweep(&scratch, "out", &[]);
         let line = format!("couplet: {home}/{stray} is no part of the sweep; take it away\n");
         assert_eq!((code, out.as_str(), message), (Some(2), "", line));
-        let (code, _, message) = said(&couplet(&["sweep", &home, "--verify", "0"]));
+        let (code, _, message) = look(&home, "0");
         assert_eq!(code, Some(1));
         assert!(
             message.starts_with(&format!("couplet: {stray} is no part of the sweep\n")),
@@ -229,7 +228,7 @@ fn a_folder_is_opened_with_its_own_record_of_this_version_alone() {
     let (home, name) = (folder(&scratch, "out"), sweeps(&scratch, "out").remove(0));
     let record = scratch.read(&format!("out/{name}.json"));
     let looked = |home: &str| {
-        let (code, out, message) = said(&couplet(&["sweep", home, "--verify", "0"]));
+        let (code, out, message) = look(home, "0");
         assert_eq!((code, out.as_str(), message.lines().count()), (Some(2), "", 1), "{message}");
         message
     };
@@ -254,5 +253,5 @@ fn a_folder_is_opened_with_its_own_record_of_this_version_alone() {
     scratch.write(&format!("out/{name}/_plan.json"), &record);
     assert!(looked(&home).contains("move _plan.json beside it, as sweep-"));
     fs::rename(format!("{home}/_plan.json"), format!("{home}.json")).unwrap();
-    assert_eq!(couplet(&["sweep", &home, "--verify", "0"]).status.code(), Some(0));
+    assert_eq!(look(&home, "0").0, Some(0));
 }

@@ -25,7 +25,12 @@ fn planned(plan: &str) -> Scratch {
 /// Runs the plan of a folder into `out`, with more arguments; exit code, standard output and standard error.
 fn sweep(scratch: &Scratch, out: &str, more: &[&str]) -> (Option<i32>, String, String) {
     let (plan, out) = (scratch.path("plan.toml"), scratch.path(out));
-    said(&couplet(&[&["sweep", &plan, "-o", &out], more].concat()))
+    said(&couplet([&["sweep", &plan, "-o", &out], more].concat()))
+}
+
+/// Looks through a sweep, of which some rows are proved again.
+fn look(home: &str, rows: &str) -> (Option<i32>, String, String) {
+    said(&couplet(["sweep", home, "--verify", rows]))
 }
 
 /// The names of the sweeps in a folder, each of which has a record.
@@ -185,8 +190,7 @@ fn a_large_part_has_row_groups_and_is_looked_through_group_by_group() {
     };
     let found: Vec<_> = groups.iter().map(|group| half_opening(group)).collect();
     assert_eq!(found, [Some((0.5, 1.0)), Some((2.0, 2.0))]);
-    let (code, out, message) =
-        said(&couplet(&["sweep", &folder(&scratch, "out"), "--verify", "3"]));
+    let (code, out, message) = look(&folder(&scratch, "out"), "3");
     assert_eq!((code, message.as_str()), (Some(0), ""), "{message}");
     assert!(out.contains("600000 rows in 1 part are there"), "{out}");
 }
@@ -211,7 +215,7 @@ fn more_than_a_thousand_parts_are_in_folders_of_a_thousand() {
     assert!(last[0].starts_with("part-00001000-"), "{last:?}");
     fs::remove_file(format!("{home}/001/{}", last[0])).unwrap();
     assert!(sweep(&scratch, "out", &[]).1.contains("(1 computed, 1000 kept)"));
-    let (code, out, _) = said(&couplet(&["sweep", &home, "--verify", "0"]));
+    let (code, out, _) = look(&home, "0");
     assert_eq!(code, Some(0));
     assert!(out.contains("1001 rows in 1001 parts are there"), "{out}");
     // A part in the folder of others, a file that is no folder, and a folder that is not needed.
@@ -219,7 +223,7 @@ fn more_than_a_thousand_parts_are_in_folders_of_a_thousand() {
     fs::remove_dir(format!("{home}/001")).unwrap();
     fs::write(format!("{home}/001"), "").unwrap();
     fs::create_dir(format!("{home}/002")).unwrap();
-    let (code, _, message) = said(&couplet(&["sweep", &home, "--verify", "0"]));
+    let (code, _, message) = look(&home, "0");
     assert_eq!(code, Some(1));
     for stray in [&format!("000/{}", last[0]), "001", "002"] {
         assert!(
@@ -234,7 +238,7 @@ fn nothing_is_lost_when_a_worker_is_killed() {
     let scratch = planned("chunk = 60\n[sample]\ncount = 1200\n");
     let (plan, out) = (scratch.path("plan.toml"), scratch.path("out"));
     let share =
-        |share: &str| start(&["sweep", &plan, "-o", &out, "--only", share, "--threads", "1"]);
+        |share: &str| start(["sweep", &plan, "-o", &out, "--only", share, "--threads", "1"]);
     let (mut killed, other) = (share("1/2"), share("2/2"));
     let begun = Instant::now();
     let is_begun = || {
@@ -271,7 +275,7 @@ fn a_full_disk_is_one_line_and_leaves_nothing_half_written() {
     let scratch = planned("chunk = 200\n[sample]\ncount = 200\n");
     // No file may have more than 8 blocks of 512 bytes or a kilobyte, as the shell has it; a part has more.
     let line = "trap '' XFSZ; ulimit -f 8; exec \"$0\" sweep \"$1\" -o \"$2\" --threads 1";
-    let program = command(&[]).get_program().to_owned();
+    let program = command([]).get_program().to_owned();
     let mut limited = std::process::Command::new("sh");
     limited.args(["-c", line]).arg(program).args([scratch.path("plan.toml"), scratch.path("out")]);
     let (code, out, message) = said(&limited.output().unwrap());
@@ -317,7 +321,7 @@ fn a_sample_is_what_the_command_draws() {
     assert_eq!(sweep(&scratch, "out", &["--only", "2/2"]).0, Some(0));
     let rows = rows(&scratch, "out");
     let drawn = |seed: &str, count: &str| {
-        let sample = couplet(&["sample", "--hard", "--seed", seed, "--count", count]);
+        let sample = couplet(["sample", "--hard", "--seed", seed, "--count", count]);
         let sample = crate::program::text(&sample.stdout);
         sample.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
     };
@@ -396,7 +400,7 @@ fn a_file_that_changes_meanwhile_is_named_and_the_rest_goes_on() {
     sweep(&scratch, "out", &[]);
     scratch.write("a.csv", "alpha,mu\n1,1\n2,3\n");
     let looked = said(
-        &command(&["sweep", &folder(&scratch, "out")])
+        &command(["sweep", &folder(&scratch, "out")])
             .current_dir(scratch.folder())
             .output()
             .unwrap(),
@@ -410,7 +414,7 @@ fn a_file_that_changes_meanwhile_is_named_and_the_rest_goes_on() {
 fn lines_of_json_are_a_table_and_what_is_no_text_is_refused_with_what_reads_it() {
     let scratch = planned("chunk = 2\n[data]\nfiles = [\"in.jsonl\", \"in.parquet\"]\n");
     let states = "alpha,mu\n0.5,0.6\n1/3,inf\n1.5,tan(35deg)\n";
-    let written = |format| crate::program::fed(&["states", "--format", format], states).stdout;
+    let written = |format| crate::program::fed(["states", "--format", format], states).stdout;
     scratch.write("in.jsonl", written("jsonl"));
     scratch.write("in.parquet", written("parquet"));
     let (code, out, message) = sweep(&scratch, "out", &[]);
@@ -448,18 +452,9 @@ fn more_digits_are_there_as_text() {
     sweep(&scratch, "out", &[]);
     let row = &rows(&scratch, "out")[0];
     let state = ["state", "--alpha", "80deg", "--mu", "inf", "--digits", "20", "--quantity", "eta"];
-    let state = said(&couplet(&[&state[..], &["--plain"]].concat())).1;
+    let state = said(&couplet([&state[..], &["--plain"]].concat())).1;
     assert_eq!(text(&row["thickness_text"]), state.trim());
     assert_eq!(row["friction_double"], Field::Double(f64::INFINITY));
-}
-
-wrong_uses! {
-    a_share_that_is_none: ["sweep", "p.toml", "--only", "0/4"] => "a share is K/N, the K-th of N";
-    a_share_beyond: ["sweep", "p.toml", "--only", "5/4"] => "a share is K/N, the K-th of N";
-    rows_that_are_no_number: ["sweep", "p.toml", "--verify", "abc"] => "rows to prove again are a whole number from 0 on";
-    rows_below_none: ["sweep", "p.toml", "--verify", "-1"] => "rows to prove again are a whole number from 0 on";
-    no_plan: ["sweep"] => "PLAN";
-    a_folder_that_is_no_sweep: ["sweep", "/"] => "it is not the folder of a sweep";
 }
 
 #[test]
@@ -474,7 +469,7 @@ fn faults_of_a_plan_are_told_with_their_places() {
     );
     assert!(message.ends_with("plan.toml has 2 errors; nothing was computed\n"), "{message}");
     assert!(scratch.files("out").is_empty());
-    refused(&["sweep", &scratch.path(""), "-o", "x"], "", "--output belongs to a plan");
+    refused(["sweep", &scratch.path(""), "-o", "x"], "", "--output belongs to a plan");
 }
 
 #[test]
@@ -486,7 +481,7 @@ fn the_plans_of_the_page_are_plans() {
     for plan in plans {
         assert!(couplet::scene::read_sweep(plan.as_bytes()).is_ok(), "{plan}");
     }
-    let printed = said(&couplet(&["sweep", "--schema"])).1;
+    let printed = said(&couplet("sweep --schema")).1;
     assert!(couplet::scene::read_sweep(printed.as_bytes()).is_ok());
 }
 

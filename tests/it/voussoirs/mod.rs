@@ -5,7 +5,7 @@ mod told;
 
 pub(crate) use programme::Programme;
 
-use crate::program::couplet;
+use crate::program::object;
 use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Certify, Figure, Inquiry, Wanted};
 use couplet::certify::{
@@ -14,7 +14,6 @@ use couplet::certify::{
 use couplet::number::Decimal;
 use couplet::problem::stones::Stones;
 use couplet::problem::{Arch, Friction, Mode};
-use serde_json::Value;
 
 fn found(stones: &Stones, weight: SelfWeight, friction: &str, digits: usize) -> Voussoirs {
     let friction: Friction = friction.parse().unwrap();
@@ -289,15 +288,7 @@ fn each_joint_is_judged_by_itself() {
 /// need no friction.
 #[test]
 fn ties_are_decided() {
-    let of = |line: &str| {
-        let words: Vec<&str> = ["voussoirs", "--digits", "6", "--format", "json"]
-            .into_iter()
-            .chain(line.split(' '))
-            .collect();
-        let output = couplet(&words);
-        assert_eq!(output.status.code(), Some(0), "{line}");
-        serde_json::from_slice::<Value>(&output.stdout).unwrap()["assessment"].clone()
-    };
+    let of = |line: &str| object(format!("voussoirs --digits 6 {line}"))["assessment"].clone();
     for stones in [3, 4, 8, 9] {
         for mu in ["0.6", "inf"] {
             let found = of(&format!("--alpha pi/2 --mu {mu} --stones {stones} --eta 2"));

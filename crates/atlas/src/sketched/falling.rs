@@ -217,32 +217,24 @@ pub(super) fn fallen_stones(
                 (Mode::SlidingRotational, with(joint).with(Unknown::Thrust, thrust.clone()))
             }));
         }
-        let bound = |joint: &Angle<Ball>| joint::inwards(joint, &grip).bound();
-        // Further down a joint that slides inwards bounds the thrust from above.
-        let is_least = |joint: &&Angle<Ball>| {
-            (-joint::inwards(joint, &grip).thrust).is_positive() == Ternary::True
-        };
-        let steepest = angles
-            .iter()
-            .filter(is_least)
-            .max_by(|a, b| bound(a).double().total_cmp(&bound(b).double()));
-        found.extend(steepest.map(|sliding_joint| {
-            let thrust = bound(sliding_joint);
+        found.extend(steepest(&angles, &grip).map(|(sliding_joint, thrust)| {
             let rotation_joint = haunch(&at.half_opening, &|_| thrust.clone())?;
-            let mode = inner_mode(&rotation_joint, sliding_joint)?;
+            let mode = inner_mode(&rotation_joint, &sliding_joint)?;
             let none = Angle::zero(&thrust);
-            let sliding_joint = sliding_joint.clone();
-            let at = Configuration {
-                rotation_joint,
-                sliding_joint,
-                thrust,
-                crown_hinge: none,
-                ..at.clone()
-            };
-            Ok((mode, at))
+            let at = with(rotation_joint);
+            Ok((mode, Configuration { sliding_joint, thrust, crown_hinge: none, ..at }))
         }));
     }
     furthest(arch, found, (&between, is_dilatant), lines)
+}
+
+/// The joint that by sliding inwards asks for the largest thrust, and this thrust.
+fn steepest(angles: &[Angle<Ball>], grip: &joint::Grip<Ball>) -> Option<(Angle<Ball>, Ball)> {
+    let rows = angles.iter().map(|joint| (joint, joint::inwards(joint, grip)));
+    // Further down a joint that slides inwards bounds the thrust from above.
+    let least = rows.filter(|(_, row)| (-row.thrust.clone()).is_positive() == Ternary::True);
+    let bounds = least.map(|(joint, row)| (joint.clone(), row.bound()));
+    bounds.max_by(|(_, a), (_, b)| a.double().total_cmp(&b.double()))
 }
 
 /// The joint that slides together with the shoulder, at the thrust at which both ask for the same friction: the one

@@ -3,7 +3,7 @@
 use super::picture::picture;
 use super::{BranchArch, BranchArches, PROOF, events, quantities, rounded};
 use crate::arch::SelfWeight;
-use crate::atlas::{Branch, NoBranch, Stretch, Variable};
+use crate::atlas::{Branch, Level, NoBranch, Stretch, Variable};
 use crate::map::{MapRow, node, parts};
 use crate::picture::Print;
 use crate::report::words::{count, kind, model};
@@ -50,25 +50,7 @@ fn of(arch: &BranchArch, all: &BranchArches) -> Record {
     };
     record.add("reason", reason);
     let found = arch.found.as_ref().ok();
-    let points = found.into_iter().flat_map(|(branch, least)| {
-        events(branch).into_iter().enumerate().map(move |(k, (meeting, event))| {
-            let mut point = Record::default();
-            point.say(event);
-            point.add("event", event);
-            point.add("symmetric", meeting.is_symmetric());
-            for (name, text, value) in quantities(&meeting.place(), least) {
-                let symbol = Symbol { text, width: 12, name_width: 16 };
-                match rounded(&value, all.digits) {
-                    Some(value) => point.show_as(name, symbol, &value),
-                    None => point.add(name, None::<&str>),
-                }
-            }
-            if let Some((_, part)) = branch.stretches.get(k) {
-                point.say(along(part));
-            }
-            point
-        })
-    });
+    let points = found.into_iter().flat_map(|found| points(found, all.digits));
     record.add_list("points", points);
     match &arch.found {
         Ok(_) => {
@@ -97,6 +79,27 @@ fn of(arch: &BranchArch, all: &BranchArches) -> Record {
     record.add_list("least", found.into_iter().flat_map(|(_, least)| parts(least)));
     record.add("proof", PROOF.join(" "));
     record
+}
+
+/// The points of a branch in their order, each with its quantities and the part that begins there.
+fn points((branch, least): &(Branch, Level), digits: usize) -> impl Iterator<Item = Record> {
+    events(branch).into_iter().enumerate().map(move |(k, (meeting, event))| {
+        let mut point = Record::default();
+        point.say(event);
+        point.add("event", event);
+        point.add("symmetric", meeting.is_symmetric());
+        for (name, text, value) in quantities(&meeting.place(), least) {
+            let symbol = Symbol { text, width: 12, name_width: 16 };
+            match rounded(&value, digits) {
+                Some(value) => point.show_as(name, symbol, &value),
+                None => point.add(name, None::<&str>),
+            }
+        }
+        if let Some((_, part)) = branch.stretches.get(k) {
+            point.say(along(part));
+        }
+        point
+    })
 }
 
 /// A part in words.

@@ -94,17 +94,6 @@ fn no_less(width: f64) -> String {
 const PROVED: &str = "proved: for each friction angle between these, here rounded, the difference is in the tube, and \
                       between its least and its most";
 
-impl MapDifferences {
-    /// Summary in a line: what was traced, and what is proved of it.
-    pub fn summary(&self) -> String {
-        let curves = self.differences.len();
-        format!(
-            "{curves} curves, in tubes of a half-width of at most {:?}; {PROVED}",
-            self.tolerance
-        )
-    }
-}
-
 impl Reported for MapDifferences {
     fn content() -> Content {
         Content::DRAWN_RECORDS
@@ -122,6 +111,11 @@ impl Reported for MapDifferences {
         record.add_list("differences", self.differences.iter().map(entry));
         record.say(format!("\n{PROVED}"));
         vec![record]
+    }
+
+    fn summary(&self) -> Option<String> {
+        let (curves, width) = (self.differences.len(), self.tolerance);
+        Some(format!("{curves} curves, in tubes of a half-width of at most {width:?}; {PROVED}"))
     }
 
     fn tabular(&self) -> Tabular {

@@ -11,7 +11,6 @@ mod words;
 
 pub use difference::MapDifferences;
 pub use point::MapPoint;
-pub use words::map_summary;
 
 pub(super) use record::{node, parts};
 pub(super) use rows::MapRow;

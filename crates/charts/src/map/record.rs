@@ -25,6 +25,10 @@ impl Reported for Map {
         Tabular::of_columns(MapRow::COLUMNS.iter(), MapRow::of_map(self))
     }
 
+    fn summary(&self) -> Option<String> {
+        Some(words::summary(self))
+    }
+
     fn picture(&self, print: &Print) -> io::Result<String> {
         self.drawing.svg((&self.traces, &self.levels, &self.borders), print)
     }

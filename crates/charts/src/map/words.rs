@@ -55,7 +55,7 @@ pub(super) fn say(report: &Map, record: &mut Record) {
 }
 
 /// Summary of the curves in a line: what was traced, and what is proved of it.
-pub fn map_summary(report: &Map) -> String {
+pub(super) fn summary(report: &Map) -> String {
     let curves = count(report.traces.len() as u64, "curve", "curves");
     let lines = match report.levels.len() + report.borders.len() {
         0 => String::new(),

@@ -175,10 +175,7 @@ impl ClaimFile {
                 Ok(Problem::State { mode: mode(&state.mode, &arch, &state.friction)?, arch })
             }),
             slides.as_ref().map(|slides| {
-                let arch = arch(weight, &slides.half_opening, &slides.friction)?;
-                if !arch.is_limited() {
-                    return Err(refused("friction", &slides.friction));
-                }
+                let arch = limited_arch(weight, &slides.half_opening, &slides.friction)?;
                 Ok(Problem::Verdict { verdict: Verdict::Slides, arch })
             }),
             too_wide.as_ref().map(|wide| {
@@ -202,10 +199,7 @@ impl ClaimFile {
                 Ok(Problem::Verdict { verdict: Verdict::Stands(standing), arch })
             }),
             asymmetric.as_ref().map(|asymmetric| {
-                let arch = arch(weight, &asymmetric.half_opening, &asymmetric.friction)?;
-                if !arch.is_limited() {
-                    return Err(refused("friction", &asymmetric.friction));
-                }
+                let arch = limited_arch(weight, &asymmetric.half_opening, &asymmetric.friction)?;
                 let (all, name) = (AsymmetricMode::ALL, AsymmetricMode::name);
                 let mode = named("mode", &asymmetric.mode, all, name)?;
                 let expected = contacts(mode);
@@ -220,7 +214,13 @@ impl ClaimFile {
             return Err(Refusal::Subject);
         };
         let problem = problem?;
-        let System { unknowns, equations, .. } = problem.system();
+        self.require_system(problem.system())?;
+        Ok(problem)
+    }
+
+    /// Refuses a system other than the one that the claim names: its unknowns and its equations, in their order.
+    fn require_system(&self, system: System) -> Result<(), Refusal> {
+        let System { unknowns, equations, .. } = system;
         let unknowns: Vec<&str> = unknowns.iter().copied().map(Unknown::name).collect();
         let equations: Vec<&str> = equations.iter().copied().map(Equation::label).collect();
         for (place, given, expected) in
@@ -230,7 +230,7 @@ impl ClaimFile {
                 return Err(mismatch(place, &expected));
             }
         }
-        Ok(problem)
+        Ok(())
     }
 }
 
@@ -277,6 +277,12 @@ fn arch(weight: SelfWeight, half_opening: &str, friction: &str) -> Result<Arch, 
         ArchError::HalfOpening(_) => refused("half_opening", half_opening),
         _ => refused("friction", friction),
     })
+}
+
+/// The arch of a claim that is made of a limited friction alone.
+fn limited_arch(weight: SelfWeight, half_opening: &str, friction: &str) -> Result<Arch, Refusal> {
+    let arch = arch(weight, half_opening, friction)?;
+    Some(arch).filter(Arch::is_limited).ok_or_else(|| refused("friction", friction))
 }
 
 /// The mode of a claim: one that has a thickness, and exists with the friction.

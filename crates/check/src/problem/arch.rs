@@ -3,8 +3,8 @@
 use crate::arch::joint::Grip;
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{
-    AstroInterval, DoubleBall, Engine, ExactNumber, Form, ParseExactError, Ternary, is_angle, says,
-    shown, shown_as_text,
+    AstroInterval, DoubleBall, Engine, ExactNumber, Form, ParseExactError, Ternary, is_angle,
+    is_plain, says, shown, shown_as_text,
 };
 use num_bigint::Sign;
 use num_rational::BigRational;
@@ -90,6 +90,9 @@ impl FromStr for Friction {
     /// tangent (`tan(0.54)`, `tan(31deg)`), or `inf`, also as `infinity`, `unlimited` and `∞`.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let text = text.trim();
+        if is_plain(text) {
+            return text.parse().map(Self::Coefficient);
+        }
         let is_infinite = INFINITE.contains(&text.trim_start_matches('+').to_lowercase().as_str());
         let tangent = text.strip_prefix("tan(").and_then(|rest| rest.strip_suffix(')'));
         let friction = match tangent {

@@ -257,6 +257,13 @@ impl Quantity {
         }
     }
 
+    /// Tells whether who asks for this quantity is told another: the same, with a thrust the joint that limits it,
+    /// and as the least thickness the thickness of a state.
+    pub fn tells(self, of: Self) -> bool {
+        let is_least = self == Self::LeastThickness && of == Self::Thickness;
+        self == of || self.joint() == Some(of) || is_least
+    }
+
     /// The variable that a system has to know for the quantity to exist; `None` for what is no value of one
     /// configuration.
     pub fn variable(self) -> Option<Unknown> {

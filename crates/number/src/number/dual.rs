@@ -63,12 +63,12 @@ impl<T: Field> Dual<T> {
         Self { value, gradient }
     }
 
-    /// The gradient `left(self') + right(other')`, in the place of that of `self`.
+    /// The gradient `left(self') + right(other')`, in the place of that of `self`. One piece of code for all operators.
     fn combine(
         mut gradient: Vec<Option<T>>,
         other: &Self,
-        left: impl Fn(T) -> T,
-        right: impl Fn(&T) -> T,
+        left: &dyn Fn(T) -> T,
+        right: &dyn Fn(&T) -> T,
     ) -> Vec<Option<T>> {
         gradient.resize(gradient.len().max(other.gradient.len()), None);
         for (index, slope) in gradient.iter_mut().enumerate() {
@@ -144,30 +144,27 @@ impl<T: Field> Dual<T> {
     }
 
     fn plus(self, other: &Self) -> Self {
-        let gradient = Self::combine(self.gradient, other, |a| a, T::clone);
+        let gradient = Self::combine(self.gradient, other, &|a| a, &T::clone);
         Self { value: self.value + &other.value, gradient }
     }
 
     fn minus(self, other: &Self) -> Self {
-        let gradient = Self::combine(self.gradient, other, |a| a, |b| -b.clone());
+        let gradient = Self::combine(self.gradient, other, &|a| a, &|b| -b.clone());
         Self { value: self.value - &other.value, gradient }
     }
 
     fn times(self, other: &Self) -> Self {
         let (value, slopes) = (self.value, self.gradient);
-        let gradient = Self::combine(slopes, other, |a| a * &other.value, |b| b.clone() * &value);
+        let gradient = Self::combine(slopes, other, &|a| a * &other.value, &|b| b.clone() * &value);
         Self { value: value * &other.value, gradient }
     }
 
     /// `q = a/b` has `q' = (a' - q b')/b`.
     fn over(self, other: &Self) -> Self {
         let quotient = self.value / &other.value;
-        let gradient = Self::combine(
-            self.gradient,
-            other,
-            |a| a / &other.value,
-            |b| -(b.clone() * &quotient / &other.value),
-        );
+        let gradient = Self::combine(self.gradient, other, &|a| a / &other.value, &|b| {
+            -(b.clone() * &quotient / &other.value)
+        });
         Self { value: quotient, gradient }
     }
 }

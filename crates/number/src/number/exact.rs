@@ -7,8 +7,8 @@ pub use sine::{rational_sine_and_cosine, sine_and_cosine};
 use super::range::{TELL_OF_RANGES, is_range};
 use super::unit::{AngleUnit, minutes, unit};
 use super::{
-    Angle, Decimal, Dyadic, Engine, Field, ParseDecimalError, as_text, decimal, says, shown,
-    shown_as_text, spelt,
+    Angle, Decimal, Dyadic, Engine, Field, ParseDecimalError, as_text, decimal, is_plain, says,
+    shown, shown_as_text, spelt,
 };
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
@@ -339,6 +339,9 @@ impl FromStr for ExactNumber {
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         if text.len() > MAX_LENGTH {
             return Err(ParseExactError::Length(text.len()));
+        }
+        if is_plain(text) {
+            return Self::without_unit(text, text);
         }
         let given = text;
         let text = &*spelt(given);

@@ -137,7 +137,7 @@ pub use jet::Jet;
 pub use product::{Dekker, Fused, Product};
 pub use range::{BETWEEN, PLUS_MINUS, TELL_OF_RANGES, is_range, spelt_range};
 pub use shown::{shown, visible};
-pub use spelt::{decimal, hexadecimal, of_fortran, spelt};
+pub use spelt::{decimal, hexadecimal, is_plain, of_fortran, spelt};
 pub use stumpff::Stumpff;
 pub use stumpff::terms as stumpff_terms;
 pub use tens::Tens;

@@ -1,5 +1,6 @@
 //! Texts that are meant as ranges, which readers of one number refuse as such.
 
+use super::is_plain;
 use std::borrow::Cow;
 
 /// Sign between the two ends of a range.
@@ -16,6 +17,9 @@ pub const TELL_OF_RANGES: &str = "`couplet assess`, `state`, `voussoirs`, `find 
 
 /// Tells whether a text is meant as a range: `0.5..0.7`, `0.6±0.1`, `0.6+-10%`, `0.5–0.7`, `9.98m-10.02m`.
 pub fn is_range(text: &str) -> bool {
+    if is_plain(text) {
+        return false;
+    }
     let text = spelt_range(text);
     text.contains(BETWEEN) || text.contains(PLUS_MINUS)
 }

@@ -36,6 +36,15 @@ pub fn spelt(text: &str) -> Cow<'_, str> {
     }
 }
 
+/// Tells whether a text is digits with one point at the most, as nearly all numbers of files are: one number without a
+/// sign or a unit, spelt as it is read.
+pub fn is_plain(text: &str) -> bool {
+    let points = text.bytes().filter(|byte| *byte == b'.').count();
+    !text.is_empty()
+        && points <= 1
+        && text.bytes().all(|byte| byte == b'.' || byte.is_ascii_digit())
+}
+
 /// The exact value of a double in hexadecimal as C and many others write it, `0x1.8p+1`; `None` if a text
 /// is not of that form, or longer or larger than a double needs.
 pub fn hexadecimal(text: &str) -> Option<BigRational> {

@@ -37,7 +37,7 @@ fn in_double_doubles(arch: &Arch, candidate: &AsymmetricCandidate) -> Option<Dou
     let problem = Problem::Asymmetric { mode: candidate.mode, arch: arch.clone() };
     let (system, given) = (problem.system(), problem.given::<DoubleDoubleBall>(DOUBLE_DOUBLE));
     let posed = Posed { system: &system, given: &given };
-    let root = in_doubles::root_near(&posed, &candidate.unknowns).ok()?;
+    let root = in_doubles::root_of_many(&posed, &candidate.unknowns).ok()?;
     let at = system.place(given, &root);
     let proved = CertifiedAsymmetric::proved(&problem, &at, DOUBLE_DOUBLE, |x| (*x).into()).ok()?;
     Some(proved.at.thickness)

@@ -47,18 +47,25 @@ pub trait Arithmetic: Engine + Stumpff {
 
     /// Encloses the root of equations next to a start value, proved to exist and to be unique in a box on which
     /// the equations are regular; with the sines and cosines that it took.
-    fn rooted(
+    fn rooted<const N: usize>(
+        equations: &impl Form<Self>,
+        bits: u32,
+        start: &[Self::Candidate; N],
+    ) -> Result<([Self; N], Self::Sines), Undecided>;
+
+    /// The root of as many equations as the start value has numbers: in doubles one to four.
+    fn rooted_of_few(
         equations: &impl Form<Self>,
         bits: u32,
         start: &[Self::Candidate],
     ) -> Result<(Vec<Self>, Self::Sines), Undecided>;
 
     /// The root alone.
-    fn root_near(
+    fn root_near<const N: usize>(
         equations: &impl Form<Self>,
         bits: u32,
-        start: &[Self::Candidate],
-    ) -> Result<Vec<Self>, Undecided> {
+        start: &[Self::Candidate; N],
+    ) -> Result<[Self; N], Undecided> {
         Self::rooted(equations, bits, start).map(|(root, _)| root)
     }
 
@@ -123,7 +130,16 @@ impl Arithmetic for Ball {
         exponent <= SMALL && stumpff_terms(bits, exponent) <= MANY_TERMS
     }
 
-    fn rooted(
+    fn rooted<const N: usize>(
+        equations: &impl Form<Self>,
+        bits: u32,
+        start: &[Float; N],
+    ) -> Result<([Self; N], Sines), Undecided> {
+        let (root, sines) = Self::rooted_of_few(equations, bits, start)?;
+        Ok((root.try_into().map_err(|_| Undecided::no_solution())?, sines))
+    }
+
+    fn rooted_of_few(
         equations: &impl Form<Self>,
         bits: u32,
         start: &[Float],
@@ -176,12 +192,20 @@ macro_rules! led_by_doubles {
                 exponent <= SMALL_IN_DOUBLES
             }
 
-            fn rooted(
+            fn rooted<const N: usize>(
+                equations: &impl Form<Self>,
+                _bits: u32,
+                start: &[f64; N],
+            ) -> Result<([Self; N], ()), Undecided> {
+                in_doubles::root_near(equations, *start).map(|root| (root, ()))
+            }
+
+            fn rooted_of_few(
                 equations: &impl Form<Self>,
                 _bits: u32,
                 start: &[f64],
             ) -> Result<(Vec<Self>, ()), Undecided> {
-                in_doubles::root_near(equations, start).map(|root| (root, ()))
+                in_doubles::root_of_few(equations, start).map(|root| (root, ()))
             }
 
             fn angle((): &(), rad: &Self) -> Angle<Self> {

@@ -81,22 +81,30 @@ const BOXES: usize = 3;
 /// Ratio of the width of a box to the correction that the residuals ask for.
 const INFLATION: f64 = 4.0;
 
-/// Encloses the root of at most seven equations next to a start value, proved to exist and to be unique
-/// in a box on which the equations are regular.
-pub fn root_near<E: Doubles>(equations: &impl Form<E>, start: &[f64]) -> Result<Vec<E>, Undecided> {
-    match *start {
-        [a] => root(equations, [a]).map(Vec::from),
-        [a, b] => root(equations, [a, b]).map(Vec::from),
-        [a, b, c] => root(equations, [a, b, c]).map(Vec::from),
-        [a, b, c, d] => root(equations, [a, b, c, d]).map(Vec::from),
-        [a, b, c, d, e] => root(equations, [a, b, c, d, e]).map(Vec::from),
-        [a, b, c, d, e, f] => root(equations, [a, b, c, d, e, f]).map(Vec::from),
-        [a, b, c, d, e, f, g] => root(equations, [a, b, c, d, e, f, g]).map(Vec::from),
-        _ => Err(Undecided::no_solution()),
-    }
+/// The root next to a start value whose length is one of some: each has its own code.
+macro_rules! root_of {
+    ($($name:ident: $($n:literal)+, $words:literal;)+) => {$(
+        #[doc = concat!("Encloses the root of ", $words, " equations next to a start value, as [`root_near`] does.")]
+        pub fn $name<E: Doubles>(
+            equations: &impl Form<E>,
+            start: &[f64],
+        ) -> Result<Vec<E>, Undecided> {
+            match start.len() {
+                $($n => root_near(equations, array::from_fn::<f64, $n, _>(|k| start[k])).map(Vec::from),)+
+                _ => Err(Undecided::no_solution()),
+            }
+        }
+    )+};
 }
 
-fn root<E: Doubles, const N: usize>(
+root_of! {
+    root_of_few: 1 2 3 4, "one to four";
+    root_of_many: 5 6 7, "five to seven";
+}
+
+/// Encloses the root of as many equations as unknowns next to a start value, proved to exist and to be unique
+/// in a box on which the equations are regular.
+pub fn root_near<E: Doubles, const N: usize>(
     equations: &impl Form<E>,
     start: [f64; N],
 ) -> Result<[E; N], Undecided> {
@@ -244,7 +252,7 @@ mod tests {
     fn found(k: u32) -> (DoubleDoubleBall, usize) {
         let equations = Close { k, boxes: Cell::new(0) };
         let start = 1.0 + 1.1 / f64::from(1 << k);
-        let [root] = root::<DoubleDoubleBall, 1>(&equations, [start]).unwrap();
+        let [root] = root_near::<DoubleDoubleBall, 1>(&equations, [start]).unwrap();
         (root, equations.boxes.get())
     }
 
@@ -265,7 +273,7 @@ mod tests {
     #[test]
     fn a_root_that_may_be_double_is_undecided() {
         let equations = Close { k: 30, boxes: Cell::new(0) };
-        let proved = root::<DoubleDoubleBall, 1>(&equations, [1.0]);
+        let proved = root_near::<DoubleDoubleBall, 1>(&equations, [1.0]);
         assert!(proved.is_err(), "{proved:?}");
     }
 }

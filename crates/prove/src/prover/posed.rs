@@ -20,7 +20,7 @@ impl<E: Arithmetic> Posed<'_, E> {
         bits: u32,
         start: &[E::Candidate],
     ) -> Result<Configuration<E>, Undecided> {
-        let (root, sines) = E::rooted(self, bits, start)?;
+        let (root, sines) = E::rooted_of_few(self, bits, start)?;
         Ok(self.system.place_with(self.given.clone(), &root, |_, rad| E::angle(&sines, rad)))
     }
 }

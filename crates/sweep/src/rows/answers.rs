@@ -6,11 +6,9 @@ use super::roles::Role;
 use super::source::Numbered;
 use crate::answer;
 use crate::ask::{Spelling, given_thickness};
+use crate::certify::Refused;
 use crate::certify::batch::{SharedOpening, SharedOpenings};
-use crate::certify::state::{
-    Answer as Outcome, Balls, RowAnswer, Tier, WithFrictions, answers_in_lanes,
-};
-use crate::certify::{Error, Refused};
+use crate::certify::state::{Answer as Outcome, Balls, RowAnswer, Tier, answers_in_lanes};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
@@ -24,7 +22,9 @@ const PIECE: usize = 128;
 pub struct RowQuestion {
     digits: usize,
     quantities: Vec<Quantity>,
-    with: WithFrictions,
+    frictions: bool,
+    /// True if what would be enough for an arch that falls is shown.
+    remedies: bool,
     /// True if given values are shown as doubles.
     doubles: bool,
     /// Proofs that arches share; none where each row is what it is alone, down to the error of each double.
@@ -39,15 +39,11 @@ impl RowQuestion {
     pub fn new(answers: &Answers, format: &Format, beside: Beside) -> Result<Self, Refused> {
         let (digits, quantities) = (answers.digits, answers.quantities.clone());
         let frictions = quantities.iter().any(|quantity| quantity.is_friction());
-        let with = match frictions {
-            false => WithFrictions::None,
-            true if format.name == "jsonl" => WithFrictions::AndRemedies,
-            true => WithFrictions::OfModes,
-        };
+        let remedies = frictions && format.name == "jsonl";
         let openings = SharedOpenings::new(Balls::DoubleDoubles, digits, frictions)?;
         let openings = (!format.has_errors).then_some(openings);
         let doubles = format.name != "csv" || beside.doubles;
-        Ok(Self { digits, quantities, with, doubles, openings })
+        Ok(Self { digits, quantities, frictions, remedies, doubles, openings })
     }
 
     /// The answers to some rows, in their order, on all cores. A row is asked what it asks: about its thickness if it
@@ -78,7 +74,8 @@ impl RowQuestion {
             let eta = eta.as_ref().map(SharedOpening::enclosed_number);
             Some((arch.weight(), (SharedOpening::enclosed_arch(arch), eta)))
         };
-        answers_in_lanes(&all.iter().map(row).collect::<Vec<_>>(), self.digits, self.with)
+        let all: Vec<_> = all.iter().map(row).collect();
+        answers_in_lanes(&all, self.digits, &self.quantities, self.remedies)
     }
 
     /// The answer to a row, of which something may be known.
@@ -88,22 +85,23 @@ impl RowQuestion {
         (arch, eta, measures): &AskedArch,
         known: Option<RowAnswer>,
     ) -> Answer {
-        let (digits, frictions) = (self.digits, self.with != WithFrictions::None);
+        let (digits, frictions) = (self.digits, self.frictions);
         let sizes = measures.as_ref().map(|of| (of, digits));
+        let extent = Extent { quantities: Some(&self.quantities[..]), doubles: self.doubles };
         if let Some(eta) = eta {
             let found = match known {
                 Some(RowAnswer::Assessment(found)) => Ok(*found),
                 _ => Balls::DoubleDoubles.assess(arch, eta, digits),
             };
-            return answer::assessment(line, (arch, eta, sizes), digits, &found);
+            return answer::assessment(extent, line, (arch, eta, sizes), digits, &found);
         }
-        let found: Result<Outcome, Error> = match (known, &self.openings) {
+        let shown = |found: Outcome| found.map(|state| state.only(|of| extent.shows(of)));
+        let found = match (known, &self.openings) {
             (Some(RowAnswer::State(found)), _) => Ok(found),
-            (_, Some(openings)) => openings.state(arch),
-            (_, None) => Balls::DoubleDoubles.state(arch, digits, frictions),
+            (_, Some(openings)) => openings.state(arch).map(shown),
+            (_, None) => Balls::DoubleDoubles.state(arch, digits, frictions).map(shown),
         };
-        let extent = Extent { quantities: Some(&self.quantities[..]), doubles: self.doubles };
-        answer::state_to(extent, line, (arch, sizes), digits, &found)
+        answer::state_to(extent, line, (arch, sizes), digits, found)
     }
 }
 

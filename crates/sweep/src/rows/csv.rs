@@ -28,6 +28,32 @@ struct RawRecord {
     first: usize,
 }
 
+/// Quotes of a row, as far as it has been read.
+struct Quotes {
+    state: QuoteState,
+    /// The line in which the last of them opens.
+    opened: u64,
+    /// True if one closes within a field.
+    is_spoiled: bool,
+}
+
+impl Quotes {
+    /// Goes past a line of the row. Without a quote it neither opens a field that goes on nor spoils the row, and most
+    /// lines have none.
+    fn pass(&mut self, text: &[u8], line: u64, separators: &[u8]) {
+        let is_plain = self.state == QuoteState::Start && !text.contains(&b'"');
+        for &c in text.iter().filter(|_| !is_plain) {
+            match (self.state, self.state.pass(c, separators)) {
+                (QuoteState::Start, QuoteState::Quoted) => self.opened = line,
+                (QuoteState::Closing, QuoteState::Field) => {
+                    self.is_spoiled |= !c.is_ascii_whitespace()
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
 /// Marks after which a field of a header may begin before it is known what separates them.
 const SEPARATORS: &[u8] = b",;\t";
 
@@ -208,9 +234,9 @@ fn next(
     let first = lines.number;
     let fault = |message: String| Ok(Some(Err(message)));
     let mut record = RawRecord { bytes: Vec::new(), lines: [first, first], first: 0 };
-    let (mut state, mut passed, mut is_spoiled) = (QuoteState::Start, 0, false);
-    // Where the open quote stands: its line, and the end of that line.
-    let (mut opened, mut resume) = (first, 0);
+    let mut quotes = Quotes { state: QuoteState::Start, opened: first, is_spoiled: false };
+    // The ends of what has been read, and of the line in which the open quote stands.
+    let (mut passed, mut resume) = (0, 0);
     loop {
         let line = lines.number;
         match lines.next_into(&mut record.bytes)? {
@@ -226,39 +252,33 @@ fn next(
                     Reading::TooLong => format!(" within {MAX_RECORD} bytes"),
                     _ => String::new(),
                 };
-                lines.give_back(&record.bytes[resume..], opened + 1);
+                lines.give_back(&record.bytes[resume..], quotes.opened + 1);
                 return fault(format!(
-                    "the quote that opens in line {opened} is not closed{within}"
+                    "the quote that opens in line {} is not closed{within}",
+                    quotes.opened
                 ));
             }
         }
-        // Without a quote a line neither opens a field that goes on nor is spoiled, and most lines have none.
-        let is_plain = state == QuoteState::Start && !record.bytes[passed..].contains(&b'"');
-        for &c in record.bytes[passed..].iter().filter(|_| !is_plain) {
-            match (state, state.pass(c, separators)) {
-                (QuoteState::Start, QuoteState::Quoted) => opened = line,
-                (QuoteState::Closing, QuoteState::Field) => {
-                    is_spoiled |= !c.is_ascii_whitespace();
-                }
-                _ => {}
-            }
-        }
+        quotes.pass(&record.bytes[passed..], line, separators);
         passed = record.bytes.len();
         record.lines[1] = lines.number;
         if record.first == 0 {
             record.first = passed;
         }
-        if opened == line {
+        if quotes.opened == line {
             resume = passed;
         }
-        if is_spoiled && line > first {
+        if quotes.is_spoiled && line > first {
             // A quote too many has swallowed the lines behind the first.
             lines.give_back(&record.bytes[record.first..], first + 1);
         }
-        if is_spoiled {
-            return fault(format!("a quote that opens in line {opened} closes within a field"));
+        if quotes.is_spoiled {
+            return fault(format!(
+                "a quote that opens in line {} closes within a field",
+                quotes.opened
+            ));
         }
-        if state != QuoteState::Quoted {
+        if quotes.state != QuoteState::Quoted {
             return Ok(Some(Ok(record)));
         }
     }

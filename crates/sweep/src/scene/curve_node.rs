@@ -1,13 +1,13 @@
-//! A curve of the map, or a level.
+//! Lines of the map: a curve, a level, or those between asymmetric branches.
 
 use super::computable::{Computable, Done, LONG};
-use super::schema::MapLine;
+use super::scene_map::MapLine;
 use super::shared::Shared;
 use crate::arch::SelfWeight;
-use crate::atlas::{Level, NoLevel, Trace};
+use crate::atlas::{Border, Level, NoLevel, Trace};
 use std::fmt;
 
-/// A curve of the map, or a level.
+/// A line of the map.
 #[derive(Debug)]
 pub struct CurveNode {
     /// Line of the map.
@@ -18,10 +18,11 @@ pub struct CurveNode {
     pub tolerance: f64,
 }
 
-/// A proved curve, or a level.
+/// A proved line.
 pub(super) enum CurvePiece {
     Curve(Box<Trace>),
     Level(Level),
+    Borders(Vec<Border>),
 }
 
 impl CurveNode {
@@ -36,6 +37,10 @@ impl CurveNode {
             MapLine::Level(contour) => {
                 let lines = shared.lines(self.weight).map_err(undecided)?;
                 CurvePiece::Level(Level::among(lines, self.weight, contour, self.tolerance)?)
+            }
+            MapLine::Asymmetric => {
+                let borders = Border::all(self.weight, self.tolerance).map_err(undecided)?;
+                CurvePiece::Borders(borders)
             }
         })
     }
@@ -68,6 +73,7 @@ impl fmt::Display for CurveNode {
         match &self.line {
             MapLine::Curve(curve) => write!(f, "{curve} {weight}"),
             MapLine::Level(contour) => write!(f, "{contour} {weight}"),
+            MapLine::Asymmetric => write!(f, "asymmetric {weight}"),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Figures of the paper, asked for by a command or by a scene.
 
 use super::drawn::{DrawnArch, Pose};
-use super::schema::{MapLine, Request, SceneDrawing, SceneMap};
+use super::scene_map::{MapLine, SceneMap};
+use super::schema::{Request, SceneDrawing};
 use crate::arch::SelfWeight;
 use crate::atlas::Curve;
 use crate::problem::{Landmark, Mode};

@@ -5,7 +5,8 @@ use super::computable::Done;
 use super::curve_node::CurvePiece;
 use super::landmark_node::LandmarkPiece;
 use super::plan::{PAGE_DIGITS, Plan};
-use super::schema::{MeasuredArch, Request, SceneArch, SceneBoxes, SceneDrawing, SceneMap};
+use super::scene_map::SceneMap;
+use super::schema::{MeasuredArch, Request, SceneArch, SceneBoxes, SceneDrawing};
 use crate::answer;
 use crate::arch::SelfWeight;
 use crate::atlas::{NoLevel, NoSketch, Sketch};
@@ -15,8 +16,8 @@ use crate::judge::{audit_of, compare_weights_of};
 use crate::picture::Print;
 use crate::problem::{Landmark, Quantity};
 use crate::report::{
-    Answer, Answers, Audit, Claims, Drawing, Format, Map, Reported, Sketched, SurveyedArches,
-    SurveyedCell, SurveyedCells, Understood,
+    Answer, Answers, Audit, Claims, Drawing, Extent, Format, Map, Reported, Sketched,
+    SurveyedArches, SurveyedCell, SurveyedCells, Understood,
 };
 use rayon::prelude::*;
 use std::any::Any;
@@ -34,6 +35,8 @@ pub struct ItemReport {
     pub report: Option<Box<dyn Reported>>,
     /// Questions that could not be decided.
     pub undecided: Vec<String>,
+    /// Reason why no arch has what was asked for, where that is seen by a proof only.
+    pub misfit: Option<String>,
 }
 
 impl ItemReport {
@@ -41,6 +44,7 @@ impl ItemReport {
     pub(super) fn new(plan: &Plan, done: &[Option<Done>], index: usize) -> Self {
         let item = &plan.scene.items[index];
         let parts = ItemParts { plan, done, index };
+        let mut misfit = None;
         let (report, undecided): ItemFound = match &item.what {
             Request::Constants { points, quantities, digits } => {
                 let list = parts.constants(points, quantities, *digits);
@@ -72,14 +76,17 @@ impl ItemReport {
                 let claims = Claims { decisions, show: *show, timed: false };
                 (Some(Box::new(claims)), undecided)
             }
-            Request::Map(asked) => parts.map(asked, item.format),
+            Request::Map(asked) => parts.map(asked, item.format).unwrap_or_else(|why| {
+                misfit = Some(why);
+                (None, Vec::new())
+            }),
             Request::Drawing(asked) => parts.drawing(asked),
             Request::Audit { points } => match parts.audit(points.len()) {
                 Ok(audit) => (Some(Box::new(audit)), Vec::new()),
                 Err(undecided) => (None, vec![undecided.to_string()]),
             },
         };
-        Self { format: item.format, print: item.print.clone(), report, undecided }
+        Self { format: item.format, print: item.print.clone(), report, undecided, misfit }
     }
 
     /// Writes what was found.
@@ -174,7 +181,7 @@ impl<'a> ItemParts<'a> {
             let answer = match thickness {
                 Some(eta) => {
                     let found = piece.thicknesses.get(&(eta.to_rational(), proved))?;
-                    answer::assessment(line, (arch, eta, measures), proved, found)
+                    answer::assessment(Extent::ALL, line, (arch, eta, measures), proved, found)
                 }
                 None => answer::state(line, (arch, measures), proved, piece.states.get(&proved)?),
             };
@@ -184,44 +191,40 @@ impl<'a> ItemParts<'a> {
         answers.collect()
     }
 
-    /// A map of what is proved; a picture needs all its curves, as without one it would show other domains.
-    fn map(&self, asked: &SceneMap, format: &Format) -> ItemFound {
-        let (mut traces, mut levels, mut open) = (Vec::new(), Vec::new(), Vec::new());
-        for part in self.done::<Result<CurvePiece, NoLevel>>(asked.lines.len()) {
-            match part {
-                Ok(CurvePiece::Curve(trace)) => traces.push((**trace).clone()),
-                Ok(CurvePiece::Level(level)) => levels.push(level.clone()),
-                Err(undecided) => open.push(undecided.to_string()),
-            }
-        }
-        if (format.is_picture || format.is_page()) && !open.is_empty() {
-            return (None, open);
-        }
-        let landmarks = self.constants(&asked.landmarks, &Quantity::LANDMARK, PAGE_DIGITS);
-        let names = undecided_landmarks(&landmarks);
+    /// A map of what is proved, or why no arch is on it; a picture needs all its curves, as without one it would show
+    /// other domains.
+    fn map(&self, asked: &SceneMap, format: &Format) -> Result<ItemFound, String> {
         let is_asked = |weight: &SelfWeight| asked.lines.iter().any(|(of, _)| of == weight);
         let weights = SelfWeight::ALL.into_iter().filter(is_asked);
-        let mut marks = Vec::new();
-        for (weight, mark) in
-            weights.flat_map(|weight| asked.marks.iter().map(move |m| (weight, m)))
-        {
+        let marked = weights.flat_map(|weight| asked.marks.iter().map(move |of| (weight, of)));
+        let (mut marks, mut open) = (Vec::new(), Vec::new());
+        for (weight, mark) in marked {
             match mark.proved(weight) {
                 Ok(mark) => marks.push(mark),
-                Err(undecided) => open.push(undecided.to_string()),
+                Err(Error::Undecided(undecided)) => open.push(undecided.to_string()),
+                Err(Error::Refused(refused)) => return Err(refused.to_string()),
             }
         }
         let (view, axes, command) = (asked.view, asked.axes, asked.command.clone());
         let drawing = Drawing { view, axes, marks, command };
-        let map = Map {
-            tolerance: asked.tolerance,
-            traces,
-            levels,
-            borders: Vec::new(),
-            landmarks,
-            drawing,
-        };
-        open.extend(map.open().into_iter().chain(names));
-        (Some(Box::new(map)), open)
+        let landmarks = self.constants(&asked.landmarks, &Quantity::LANDMARK, PAGE_DIGITS);
+        let (traces, levels, borders) = (Vec::new(), Vec::new(), Vec::new());
+        let mut map =
+            Map { tolerance: asked.tolerance, traces, levels, borders, landmarks, drawing };
+        for part in self.done::<Result<CurvePiece, NoLevel>>(asked.lines.len()) {
+            match part {
+                Ok(CurvePiece::Curve(trace)) => map.traces.push((**trace).clone()),
+                Ok(CurvePiece::Level(level)) => map.levels.push(level.clone()),
+                Ok(CurvePiece::Borders(borders)) => map.borders.extend(borders.iter().cloned()),
+                Err(NoLevel::Outside(why)) => return Err(why.clone()),
+                Err(undecided) => open.push(undecided.to_string()),
+            }
+        }
+        if (format.is_picture || format.is_page()) && !open.is_empty() {
+            return Ok((None, open));
+        }
+        open.extend(map.open().into_iter().chain(undecided_landmarks(&map.landmarks)));
+        Ok((Some(Box::new(map)), open))
     }
 
     /// Arches that are drawn, in the modes that are asked for; all of them or none.

@@ -5,7 +5,7 @@ use super::curve_node::CurveNode;
 use super::landmark_node::LandmarkNode;
 use super::plan::Plan;
 use super::run::Costs;
-use super::schema::MapLine;
+use super::scene_map::MapLine;
 use super::work::Work;
 use crate::arch::SelfWeight;
 use crate::atlas::Curve;

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
 //! | `read` | TOML to a valid scene, or all its faults; with `table`, `axes`, `read_arches`, `read_drawing`, `read_map`, `figure`, `read_output`, `read_print`, `value`, `fault` |
-//! | `map_lines` | which lines a map shows |
+//! | `scene_map` | which lines a map shows |
 //! | `plan` | what has to be computed, each part once |
 //! | `work`, `computable` | what a part is; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
 //! | `run` | computes the parts, item by item; `shared` has what they share, `cost` counts |
@@ -48,7 +48,6 @@ mod item_report;
 mod landmark_node;
 mod left_out;
 mod manifest;
-mod map_lines;
 mod plan;
 mod read;
 mod read_arches;
@@ -59,6 +58,7 @@ mod read_print;
 mod read_sweep;
 mod run;
 mod same;
+mod scene_map;
 mod schema;
 mod shared;
 mod survey_node;
@@ -82,15 +82,15 @@ pub use landmark_node::LandmarkNode;
 #[cfg(feature = "parquet")]
 pub(crate) use manifest::{MAX_RECORD, record_bytes};
 pub use manifest::{Manifest, NAME as MANIFEST};
-pub use map_lines::map_lines;
 pub use plan::{Plan, PlannedPart};
 pub use read::{read, read_bytes};
 pub use read_sweep::read_sweep;
 pub use run::{Costs, SceneRun, answered};
 pub use same::contour_key;
+pub use scene_map::{MapLine, SceneMap};
 pub use schema::{
-    EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, Request, SCHEMA, Scene,
-    SceneArch, SceneBoxes, SceneDrawing, SceneItem, SceneMap, SceneSurvey,
+    EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, Request, SCHEMA, Scene, SceneArch,
+    SceneBoxes, SceneDrawing, SceneItem, SceneSurvey,
 };
 pub use survey_node::SurveyNode;
 #[cfg(feature = "parquet")]

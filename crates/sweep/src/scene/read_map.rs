@@ -2,15 +2,14 @@
 
 use super::axes::{SINGLE, axis, given};
 use super::figure::{TOLERANCE, command, figure, in_order};
-use super::map_lines::map_lines;
-use super::schema::{MAX_ITEMS, MapLine, Request, SceneMap};
+use super::scene_map::SceneMap;
+use super::schema::{MAX_ITEMS, Request};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven};
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
-use crate::problem::Landmark;
-use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit, View};
+use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit};
 
 /// The map, or curves of it.
 pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> Option<Request> {
@@ -21,11 +20,13 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
     let contours = contours(table);
     let tolerance = table.or("tolerance", TOLERANCE, tolerance);
     let plane = table.if_given("plane", plane);
-    let [lines, bare] = ["lines", "bare"].map(|key| table.truth(key));
+    let [lines, bare, asymmetric] = ["lines", "bare", "asymmetric"].map(|key| table.truth(key));
     let (axes, marks) = (axes(table), table.or("marks", Vec::new(), marks));
     let (weights, curves, contours, bare) = (weights?, curves?, contours?, bare?);
     let (axes, marks) = (axes?, marks?);
-    let (tolerance, plane, lines, format) = (tolerance?, plane?, lines?, format?);
+    let (tolerance, plane, lines, asymmetric) = (tolerance?, plane?, lines?, asymmetric?);
+    let format = format?;
+    let axes = if asymmetric { axes.of_asymmetric(format) } else { axes };
     let asked = MapAsked {
         format,
         weights: weights.len(),
@@ -34,7 +35,7 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
         plane,
         lines,
         bare,
-        asymmetric: false,
+        asymmetric,
         axes: &axes,
         has_marks: !marks.is_empty(),
     };
@@ -53,23 +54,17 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
     if bare {
         command += " --bare";
     }
-    let (all, contours) = map_lines(&asked, &weights, &curves, contours.clone());
-    let all = all.into_iter().map(|(weight, curve)| (weight, MapLine::Curve(curve)));
-    let levels = weights.iter().flat_map(|weight| {
-        contours.iter().map(|contour| (*weight, MapLine::Level(contour.clone())))
-    });
+    if asymmetric {
+        command += " --asymmetric";
+    }
     if lines {
         command += " --lines";
     } else if format.is_picture {
         command += &format!(" --plane {}", plane.name());
     }
     command += &words(table, &marks);
-    let tolerance = axes.tolerance(tolerance);
-    let view = if lines { View::Lines } else { View::Map(plane) };
-    let shown = if is_page { &weights[..] } else { &[] };
-    let landmarks = shown.iter().flat_map(|w| Landmark::ALL.map(|landmark| (landmark, *w)));
-    let (lines, landmarks) = (all.chain(levels).collect(), landmarks.collect());
-    Some(Request::Map(SceneMap { lines, tolerance, landmarks, view, axes, marks, command }))
+    let named = (&curves[..], contours.clone());
+    Some(Request::Map(SceneMap::new(&asked, &weights, named, tolerance, marks, command)))
 }
 
 /// A figure of the paper.

@@ -2,9 +2,9 @@
 
 use super::drawn::DrawnArch;
 use super::fault::{Fault, Position};
+use super::scene_map::SceneMap;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, Field, SurveyGiven};
-use crate::atlas::{Contour, Curve};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
 use crate::picture::Print;
@@ -12,8 +12,7 @@ use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::{Landmark, Mode, Quantity};
 use crate::report::{
-    Answers, Audit, Axes, Claims, Content, Format, Map, Marked, Reported, Sketched, Style,
-    SurveyedRows, View,
+    Answers, Audit, Claims, Content, Format, Map, Reported, Sketched, Style, SurveyedRows,
 };
 use std::path::PathBuf;
 
@@ -127,34 +126,6 @@ pub struct SceneDrawing {
     pub command: String,
 }
 
-/// Curves that are asked for.
-#[derive(Clone, Debug)]
-pub struct SceneMap {
-    /// The curves and levels, each with its weight.
-    pub lines: Vec<(SelfWeight, MapLine)>,
-    /// The largest half-width of a tube.
-    pub tolerance: f64,
-    /// The landmarks that are shown beside.
-    pub landmarks: Vec<(Landmark, SelfWeight)>,
-    /// View that a picture of them shows.
-    pub view: View,
-    /// The axes of a map.
-    pub axes: Axes,
-    /// The arches that are marked in it.
-    pub marks: Vec<Marked>,
-    /// The command that asks for the same.
-    pub command: String,
-}
-
-/// A line on the map.
-#[derive(Clone, Debug, PartialEq)]
-pub enum MapLine {
-    /// A curve from landmark to landmark.
-    Curve(Curve),
-    /// The line of a half opening, a thickness or a friction.
-    Level(Contour),
-}
-
 /// An arch of a scene.
 #[derive(Clone, Debug)]
 pub struct SceneArch {
@@ -247,7 +218,7 @@ impl ItemKind {
             Self::Map => (
                 "map",
                 Map::content(),
-                "curves half_opening thickness friction weight tolerance plane lines bare half_opening_unit \
+                "curves half_opening thickness friction weight tolerance plane lines bare asymmetric half_opening_unit \
                  friction_unit scale half_opening_range friction_range thickness_range marks \
                  width font_size font caption full_caption title format output",
             ),

@@ -7,7 +7,7 @@ use crate::ask::Field;
 use crate::cli::commands::output::chosen;
 use crate::cli::commands::stream::{Chunk, in_order};
 use crate::problem::Quantity;
-use crate::report::{Answer, Answers, Content, Status, open_rows};
+use crate::report::{Answer, Answers, Content, open_rows};
 use crate::sweep::failure::Failure;
 use crate::sweep::rows::{ArchReader, GivenRows, Role, RowQuestion, Syntax};
 use std::io;
@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let answers = |rows| asked.answers(&reader, rows);
         let rows = in_order(rows, (&progress, together), answers, |answers: Vec<Answer>| {
             for answer in &answers {
-                counts.add(matches!(answer.status, Status::Refused(_)), answer.is_undecided());
+                counts.add(answer.fault().is_some(), answer.is_undecided());
             }
             out.write_all(&file.group(answers)?)?;
             out.flush()?;

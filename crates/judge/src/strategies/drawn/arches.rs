@@ -2,7 +2,6 @@
 
 use super::numbers::{decimal, weight};
 use super::queries::{DrawnQuery, any_query};
-use super::shrinking::proving;
 use crate::certify::Refused;
 use crate::certify::state::{Answer, Certify, Digits};
 use crate::number::ExactNumber;
@@ -15,17 +14,12 @@ use std::fmt;
 /// Any query of the domain: half opening in `(0, pi)`, friction in `[0, inf]`; one in five next to a landmark, of which
 /// it shares 3 to 40 digits.
 pub fn query() -> impl Strategy<Value = DrawnQuery> {
-    in_the_domain().prop_map(|(query, _)| query)
+    any_query().prop_filter("is in the domain", |query| query.arch().is_ok())
 }
 
 /// Any arch of the domain; the arch of a [`query`].
 pub fn arch() -> impl Strategy<Value = Arch> {
-    in_the_domain().prop_map(|(_, arch)| arch)
-}
-
-fn in_the_domain() -> impl Strategy<Value = (DrawnQuery, Arch)> {
-    let drawn = any_query().prop_map(|query| (query, ()));
-    proving(drawn, "is in the domain", |query, ()| query.arch().ok())
+    any_query().prop_filter_map("is in the domain", |query| query.arch().ok())
 }
 
 /// Arches that stand, with their state at the least thickness, correctly rounded to `digits`
@@ -47,8 +41,10 @@ fn in_the_domain() -> impl Strategy<Value = (DrawnQuery, Arch)> {
 /// assert!(verdict.is_ok());
 /// ```
 pub fn standing(digits: usize) -> impl Strategy<Value = (DrawnQuery, Box<Digits>)> {
-    let drawn = any_query().prop_map(|query| (query, ()));
-    proving(drawn, whence("stands", digits), move |query, ()| stands(query, digits))
+    any_query().prop_filter_map(whence("stands", digits), move |query| {
+        let state = stands(&query, digits)?;
+        Some((query, state))
+    })
 }
 
 /// Arches that stand and collapse in `mode` at their least thickness, with the state as in
@@ -58,30 +54,32 @@ pub fn standing(digits: usize) -> impl Strategy<Value = (DrawnQuery, Box<Digits>
 /// The purely sliding states are a curve of the map, on which no such arch lies: with
 /// [`Mode::Sliding`] everything is rejected.
 pub fn collapsing(mode: Mode, digits: usize) -> impl Strategy<Value = (DrawnQuery, Box<Digits>)> {
-    let drawn = weight()
+    weight()
         .prop_filter_map("has a place on the map", move |weight| {
             Some((weight, half_openings(mode, weight)?))
         })
         .prop_flat_map(|(weight, [low, high])| {
             (Just(weight), decimal(low, high), 1usize..=17, 0.0..1.0f64)
         })
-        .prop_filter_map("collapses otherwise", move |(weight, alpha, places, part)| {
-            let friction = match mode {
-                Mode::Overturning => Friction::Infinite,
-                _ => {
-                    let mu = above_sliding(alpha.parse().ok()?, part);
-                    Friction::Coefficient(format!("{mu:.places$}").parse().ok()?)
-                }
-            };
-            Some((DrawnQuery { weight, half_opening: alpha.parse().ok()?, friction }, ()))
-        });
-    proving(drawn, whence("collapses otherwise", digits), move |query, ()| {
-        // A quick look: not everything that is drawn is worth a proof.
-        let (alpha, mu) = query.doubles();
-        let is_likely =
-            mode == Mode::Overturning || quick_state(query.weight, alpha, mu).mode == Some(mode);
-        is_likely.then(|| stands(query, digits))?.filter(|state| state.mode == mode)
-    })
+        .prop_filter_map(
+            whence("collapses otherwise", digits),
+            move |(weight, alpha, places, part)| {
+                let friction = match mode {
+                    Mode::Overturning => Friction::Infinite,
+                    _ => {
+                        let mu = above_sliding(alpha.parse().ok()?, part);
+                        Friction::Coefficient(format!("{mu:.places$}").parse().ok()?)
+                    }
+                };
+                let query = DrawnQuery { weight, half_opening: alpha.parse().ok()?, friction };
+                // A quick look: not everything that is drawn is worth a proof.
+                let (alpha, mu) = query.doubles();
+                let is_likely =
+                    mode == Mode::Overturning || quick_state(weight, alpha, mu).mode == Some(mode);
+                let state = is_likely.then(|| stands(&query, digits))??;
+                (state.mode == mode).then_some((query, state))
+            },
+        )
 }
 
 /// An arch with a thickness, and whether it stands. It is shown as the command that answers it.
@@ -124,18 +122,17 @@ impl fmt::Debug for DrawnThickness {
 /// assert!(verdict.is_ok());
 /// ```
 pub fn assessed() -> impl Strategy<Value = DrawnThickness> {
-    let drawn = (any_query(), (0u32..=8, any::<bool>()));
-    let proved = proving(drawn, "is decided", |query, (power, is_above)| {
+    let drawn = (any_query(), 0u32..=8, any::<bool>());
+    drawn.prop_filter_map("is decided", |(query, power, is_above)| {
         let arch = query.arch().ok()?;
-        let least = stands(query, 12).map_or(1.0, |state| state.thickness.double);
-        let part = 0.5 * f64::powi(10.0, -(*power as i32));
-        let eta = least * if *is_above { 1.0 + part } else { 1.0 - part };
-        let digits = *power as usize + 2;
+        let least = stands(&query, 12).map_or(1.0, |state| state.thickness.double);
+        let part = 0.5 * f64::powi(10.0, -(power as i32));
+        let eta = least * if is_above { 1.0 + part } else { 1.0 - part };
+        let digits = power as usize + 2;
         let thickness: ExactNumber = format!("{eta:.digits$e}").parse().ok()?;
         let stands = arch.certify_thickness(&thickness, 1).ok()?.stands.ok()?;
-        Some((thickness, stands))
-    });
-    proved.prop_map(|(query, (thickness, stands))| DrawnThickness { query, thickness, stands })
+        Some(DrawnThickness { query, thickness, stands })
+    })
 }
 
 /// Reason why an arch is left out: because of the digits, if none can be had to so many.

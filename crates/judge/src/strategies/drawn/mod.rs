@@ -4,7 +4,6 @@ mod arches;
 mod assemblies;
 mod numbers;
 mod queries;
-mod shrinking;
 
 pub use arches::{DrawnThickness, arch, assessed, collapsing, query, standing};
 pub use assemblies::assembly;

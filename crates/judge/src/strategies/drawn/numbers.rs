@@ -17,10 +17,11 @@ pub fn weight() -> impl Strategy<Value = SelfWeight> + Clone {
     select(&SelfWeight::ALL)
 }
 
-/// An exact half opening in `(0, pi)`, in radians: decimals, parts of `pi` (`5pi/12`), tiny ones
+/// An exact half opening in `(0, pi)`, in radians: ordinary ones, to which others shrink, decimals, parts of `pi` (`5pi/12`), tiny ones
 /// (`3e-60`), and next to half a turn (`0.9999pi`).
 pub fn half_opening() -> impl Strategy<Value = ExactNumber> {
     prop_oneof![
+        1 => select(&["1", "2", "0.5", "1.5", "2.5"]).prop_map(str::to_owned),
         6 => decimal(0.0, PI),
         1 => part_of_pi(12, 1),
         1 => (1u32..=999, POWERS).prop_map(|(m, k)| format!("{m}e-{k}")),
@@ -29,7 +30,7 @@ pub fn half_opening() -> impl Strategy<Value = ExactNumber> {
     .prop_filter_map("is a number", |text| text.parse().ok())
 }
 
-/// Any friction: coefficients up to 5, none, tiny and huge ones, unlimited, and friction angles in
+/// Any friction: ordinary ones, to which others shrink, coefficients up to 5, none, tiny and huge ones, unlimited, and friction angles in
 /// `[0, pi/2)`, in radians.
 pub fn friction() -> impl Strategy<Value = Friction> {
     let coefficient = prop_oneof![
@@ -40,8 +41,8 @@ pub fn friction() -> impl Strategy<Value = Friction> {
     ];
     let angle = prop_oneof![decimal(0.0, FRAC_PI_2), part_of_pi(12, 2)];
     prop_oneof![
+        1 => select(&["inf", "1", "0.5"]).prop_filter_map("is a number", |mu| mu.parse().ok()),
         8 => coefficient.prop_filter_map("is a number", |mu| Some(Friction::Coefficient(mu.parse().ok()?))),
-        1 => Just(Friction::Infinite),
         1 => angle.prop_filter_map("is a number", |phi| Some(Friction::Angle(phi.parse().ok()?))),
     ]
 }

@@ -19,17 +19,11 @@ pub(super) fn columns(
     arches: &impl BatchArches,
     threads: Threads,
 ) -> Vec<(Vec<usize>, BatchColumns)> {
-    use Quantity as Q;
     // No lane has it.
-    if quantities.contains(&Q::AsymmetricThickness) {
+    if quantities.contains(&Quantity::AsymmetricThickness) {
         return Vec::new();
     }
-    let asks = |of: &[Quantity]| quantities.iter().any(|quantity| of.contains(quantity));
-    let wants = LaneWants {
-        frictions: [asks(&[Q::SlidingFriction, Q::RotationalFriction]); 2],
-        required: asks(&[Q::RequiredFriction, Q::FrictionSafety]),
-        thrusts: asks(&[Q::LeastThrust, Q::LargestThrust]),
-    };
+    let wants = LaneWants::new(quantities);
     let count = arches.count();
     let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
     threads.each(&starts, |start| {

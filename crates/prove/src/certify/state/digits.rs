@@ -28,11 +28,11 @@ impl fmt::Display for Answer {
     }
 }
 
-/// A proved state with its digits, or why nothing stands.
+/// A proved state with its digits or with some of its values, or why nothing stands.
 #[derive(Clone, Debug)]
-pub enum Answer {
+pub enum Answer<S = Box<Digits>> {
     /// The arch stands from a least thickness on.
-    Stands(Box<Digits>),
+    Stands(S),
     /// The arch does not stand at any thickness up to the physical limit.
     Falls {
         /// Reason why it falls.
@@ -40,6 +40,25 @@ pub enum Answer {
         /// Remedies that would be enough, if the frictions at which the mode changes are asked for.
         enough: Option<Box<Enough>>,
     },
+}
+
+/// Some values of a proved state, in the order of [`Quantity::STATE`]; nothing for a friction without bound.
+#[derive(Clone, Debug)]
+pub struct SomeDigits {
+    /// Mode of its collapse.
+    pub mode: Mode,
+    /// The values.
+    pub values: Vec<(Quantity, Option<Figure>)>,
+}
+
+impl<S> Answer<S> {
+    /// Answer with something else of an arch that stands.
+    pub fn map<U>(self, of: impl FnOnce(S) -> U) -> Answer<U> {
+        match self {
+            Self::Stands(state) => Answer::Stands(of(state)),
+            Self::Falls { fall, enough } => Answer::Falls { fall, enough },
+        }
+    }
 }
 
 /// The values of a proved state, correctly rounded or as other numbers.
@@ -79,23 +98,49 @@ impl<T> Digits<T> {
 
     /// The values that there are, in the order of [`Quantity::STATE`]; `None` for a friction without bound.
     pub fn figures(&self) -> impl Iterator<Item = (Quantity, Option<&T>)> {
-        let joint = self.sliding_joint.as_ref();
-        let frictions = self.frictions.as_ref();
+        let both = self.frictions.as_ref();
+        let frictions = both.map(|Frictions { sliding, rotational }| Frictions {
+            sliding,
+            rotational: rotational.as_ref(),
+        });
+        let all = Digits {
+            mode: self.mode,
+            thickness: &self.thickness,
+            thrust: &self.thrust,
+            intrinsic_thrust: &self.intrinsic_thrust,
+            rotation_joint: &self.rotation_joint,
+            sliding_joint: self.sliding_joint.as_ref(),
+            frictions,
+        };
+        all.into_figures()
+    }
+
+    /// The values that there are, moved.
+    fn into_figures(self) -> impl Iterator<Item = (Quantity, Option<T>)> {
+        let frictions = self.frictions.map(|both| {
+            let sliding = (Quantity::SlidingFriction, Some(both.sliding));
+            [sliding, (Quantity::RotationalFriction, both.rotational)]
+        });
+        let joint = self.sliding_joint.map(|joint| (Quantity::SlidingJoint, Some(joint)));
         [
-            Some((Quantity::Thickness, Some(&self.thickness))),
-            Some((Quantity::Thrust, Some(&self.thrust))),
-            Some((Quantity::IntrinsicThrust, Some(&self.intrinsic_thrust))),
-            Some((Quantity::RotationJoint, Some(&self.rotation_joint))),
-            joint.map(|joint| (Quantity::SlidingJoint, Some(joint))),
-            frictions.map(|both| (Quantity::SlidingFriction, Some(&both.sliding))),
-            frictions.map(|both| (Quantity::RotationalFriction, both.rotational.as_ref())),
+            (Quantity::Thickness, Some(self.thickness)),
+            (Quantity::Thrust, Some(self.thrust)),
+            (Quantity::IntrinsicThrust, Some(self.intrinsic_thrust)),
+            (Quantity::RotationJoint, Some(self.rotation_joint)),
         ]
         .into_iter()
-        .flatten()
+        .chain(joint)
+        .chain(frictions.into_iter().flatten())
     }
 }
 
 impl Digits {
+    /// Digits of those values that are shown.
+    pub fn only(self, shows: impl Fn(Quantity) -> bool) -> SomeDigits {
+        let mode = self.mode;
+        SomeDigits { mode, values: self.into_figures().filter(|(of, _)| shows(*of)).collect() }
+    }
+
     /// Every value of a state rounded to `digits` significant digits, if the enclosures decide all of them.
     pub(super) fn new<E: Arithmetic + Figured>(state: &State<E>, digits: usize) -> Option<Self> {
         let values = Digits {
@@ -115,6 +160,21 @@ impl Digits {
 }
 
 impl<E> Digits<&E> {
+    /// Digits of those values that are shown, rounded to `digits` significant digits, if the enclosures decide them.
+    pub(super) fn some_rounded(
+        self,
+        digits: usize,
+        shows: impl Fn(Quantity) -> bool,
+    ) -> Option<SomeDigits>
+    where
+        E: Figured,
+    {
+        let mode = self.mode;
+        let shown = self.into_figures().filter(|(of, _)| shows(*of));
+        let rounded = shown.map(|(of, x)| Some((of, optional(x, |x| x.figure(digits))?)));
+        Some(SomeDigits { mode, values: rounded.collect::<Option<_>>()? })
+    }
+
     /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
     pub(super) fn rounded(&self, digits: usize) -> Option<Digits>
     where

@@ -3,7 +3,7 @@
 //! What they leave open is proved as any arch is. The digits are the same either way.
 
 use super::assess::{Assessment, AssessmentDigits, line_fits, standing, with_thrusts};
-use super::digits::{Answer, Digits};
+use super::digits::{Answer, Digits, SomeDigits};
 use super::enough::Enough;
 use super::query::{DOUBLE_DOUBLE, Query};
 use super::state::{Fall, Frictions};
@@ -13,21 +13,9 @@ use crate::lanes::{
     FromFriction, LaneAnswer, LaneArch, LaneFrictions, LaneRoots, LaneState, Lanes,
 };
 use crate::number::{Angle, DoubleDoubleBall, Enclosure, Field, Ternary};
-use crate::problem::Mode;
+use crate::problem::{Mode, Quantity};
 use crate::prover::Undecided;
 use crate::prover::figure::{Figured, optional};
-
-/// Frictions that are asked for with the states of arches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WithFrictions {
-    /// No friction.
-    None,
-    /// Frictions at which the mode changes; of an arch that falls the one below which nothing stands.
-    OfModes,
-    /// Frictions at which the mode changes, and what would be enough for an arch that falls, which lanes do not
-    /// know.
-    AndRemedies,
-}
 
 /// Half opening and friction of an arch, and its thickness if it has one, in enclosures.
 pub type InLanes = (LaneArch, Option<DoubleDoubleBall>);
@@ -35,24 +23,27 @@ pub type InLanes = (LaneArch, Option<DoubleDoubleBall>);
 /// Answer to a row in digits: about the least thickness of an arch, or about the one that it has.
 #[derive(Clone, Debug)]
 pub enum RowAnswer {
-    /// An arch without a thickness.
-    State(Answer),
+    /// An arch without a thickness, with the values that are asked for.
+    State(Answer<SomeDigits>),
     /// An arch with one.
     Assessment(Box<AssessmentDigits>),
 }
 
-/// The answers to arches with their weights, in their order, to `digits` digits, at most 17; `None` where lanes leave
-/// anything open.
+/// The answers to arches with their weights, in their order, with these quantities to `digits` digits, at most 17;
+/// `None` where lanes leave any of them open, as they do what would be enough for an arch that falls, if these remedies
+/// are asked for.
 pub fn answers_in_lanes(
     rows: &[Option<(SelfWeight, InLanes)>],
     digits: usize,
-    with: WithFrictions,
+    quantities: &[Quantity],
+    remedies: bool,
 ) -> Vec<Option<RowAnswer>> {
+    let wants = LaneWants::new(quantities);
+    let [asks_frictions, _] = wants.frictions;
     // The friction below which an arch slides tells why it falls.
-    let frictions = [with != WithFrictions::None, with != WithFrictions::AndRemedies];
-    let wants = LaneWants { frictions, required: true, thrusts: true };
+    let wants = LaneWants { frictions: [asks_frictions, !remedies], why: true, ..wants };
     let mut all = vec![None; rows.len()];
-    each_in_lanes(rows, wants, |row, found| all[row] = found.rounded(digits, with));
+    each_in_lanes(rows, wants, |row, found| all[row] = found.rounded(digits, quantities, remedies));
     all
 }
 
@@ -61,10 +52,26 @@ pub fn answers_in_lanes(
 pub(in crate::certify) struct LaneWants {
     /// True if the frictions at which the mode changes are wanted of arches that stand; and of those that fall.
     pub frictions: [bool; 2],
+    /// True if it is wanted why an arch with a thickness falls whatever its thickness.
+    pub why: bool,
     /// True if the required friction of a thickness is wanted.
     pub required: bool,
     /// True if the thrusts of a thickness are wanted.
     pub thrusts: bool,
+}
+
+impl LaneWants {
+    /// Values that these quantities need.
+    pub(in crate::certify) fn new(quantities: &[Quantity]) -> Self {
+        use Quantity as Q;
+        let asks = |of: &[Quantity]| quantities.iter().any(|quantity| of.contains(quantity));
+        Self {
+            frictions: [asks(&[Q::SlidingFriction, Q::RotationalFriction]); 2],
+            why: false,
+            required: asks(&[Q::RequiredFriction, Q::FrictionSafety]),
+            thrusts: asks(&[Q::LeastThrust, Q::LargestThrust]),
+        }
+    }
 }
 
 /// A row that lanes have proved.
@@ -98,25 +105,28 @@ impl Falling<'_> {
 
 impl LaneFound<'_> {
     /// The digits, if all of them are decided; what would be enough for an arch that falls lanes do not know.
-    fn rounded(self, digits: usize, with: WithFrictions) -> Option<RowAnswer> {
+    fn rounded(self, digits: usize, quantities: &[Quantity], remedies: bool) -> Option<RowAnswer> {
+        let asks = |of: Quantity| quantities.iter().any(|asked| asked.tells(of));
         match self {
             Self::Stands(state) => {
-                Some(RowAnswer::State(Answer::Stands(Box::new(state.rounded(digits)?))))
+                let some = state.some_rounded(digits, asks)?;
+                Some(RowAnswer::State(Answer::Stands(some)))
             }
-            Self::Falls(_) if with == WithFrictions::AndRemedies => None,
+            Self::Falls(_) if remedies => None,
             Self::Falls(falling) => {
                 let enough = |sliding: &DoubleDoubleBall| {
                     let sliding_friction = Some(sliding.figure(digits)?);
                     Some(Box::new(Enough { sliding_friction, friction: None, half_opening: None }))
                 };
-                let sliding = falling.sliding.filter(|_| with != WithFrictions::None);
+                let sliding = falling.sliding.filter(|_| asks(Quantity::SlidingFriction));
                 let (fall, enough) = (falling.why()?, optional(sliding, enough)?);
                 Some(RowAnswer::State(Answer::Falls { fall, enough }))
             }
             Self::Assessment(found, falling) => {
                 let fall = optional(falling, |falling| falling.why())?;
                 let found = Assessment { fall, ..*found }.rounded(digits, DOUBLE_DOUBLE);
-                let is_decided = found.first_open().is_none();
+                let is_open = |of: &Quantity| found.why_open(*of).is_some();
+                let is_decided = found.stands.is_ok() && !quantities.iter().any(is_open);
                 is_decided.then(|| RowAnswer::Assessment(Box::new(found)))
             }
         }
@@ -202,7 +212,11 @@ impl<'a> LaneRows<'a> {
                 LaneAnswer::Stands(_) => stand,
                 LaneAnswer::Falls => fall,
             };
-            (is_wanted && eta.is_none()).then_some(*alpha)
+            let is_wanted = match eta {
+                Some(_) => wants.why && matches!(answer, Some(LaneAnswer::Falls)),
+                None => is_wanted,
+            };
+            is_wanted.then_some(*alpha)
         };
         let frictions = OfSome::new(rows().map(opening), |openings| lanes.frictions(openings));
         let wants_of = [wants.required, wants.thrusts];
@@ -231,9 +245,9 @@ impl<'a> LaneRows<'a> {
         let falling = |sliding| Falling { friction: friction.as_ref(), sliding };
         match (eta, answer) {
             (Some(eta), _) => {
-                let root = self.roots.of(place).and_then(|of| of.sliding.as_ref());
                 let falls = matches!(answer, LaneAnswer::Falls);
-                let falling = falls.then(|| falling(root.map(|[friction, _]| friction)));
+                let sliding = frictions.and_then(|both| both.sliding.as_ref());
+                let falling = falls.then(|| falling(sliding));
                 Some(LaneFound::Assessment(Box::new(self.assessment(place, answer, eta)), falling))
             }
             (None, LaneAnswer::Stands(state)) => Some(LaneFound::Stands(stands(state, frictions)?)),

@@ -59,10 +59,10 @@ pub use crate::prover::Figure;
 pub use assess::{Assessment, AssessmentDigits, Wanted};
 pub use balls::Balls;
 pub use certify::{Certify, NoState};
-pub use digits::{Answer, Digits};
+pub use digits::{Answer, Digits, SomeDigits};
 pub(super) use enough::AtOpening;
 pub use enough::Enough;
-pub use in_lanes::{InLanes, RowAnswer, WithFrictions, answers_in_lanes};
+pub use in_lanes::{InLanes, RowAnswer, answers_in_lanes};
 pub(super) use in_lanes::{LaneFound, LaneWants, each_in_lanes};
 pub use inquiry::Inquiry;
 pub use measured::{

@@ -98,7 +98,7 @@ impl<E: Arithmetic> Small<E> {
     fn root(&self, mode: Mode, start: [E::Candidate; 3]) -> Result<SmallRoot<E>, Undecided> {
         let equations = ScaledEquations { small: self, mode };
         let root = E::root_near(&equations, self.bits, &start)?;
-        let at = equations.place(self.given.clone(), root);
+        let at = equations.place(self.given.clone(), root.into());
         Ok(SmallRoot { at, alpha: self.alpha.clone() })
     }
 }

@@ -4,7 +4,7 @@
 //! friction: both are monotone along it. So beyond the values at its ends it has no point.
 
 use super::widest::in_range;
-use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::arch::{Configuration, Unknown};
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::query::Query;
 use crate::number::{Ball, Enclosure, Field, Rounded};
@@ -22,11 +22,7 @@ pub(super) fn point_on(
     line: Line,
     sought: Sought,
 ) -> Result<Configuration<Ball>, Undecided> {
-    let given = match sought {
-        Sought::HalfOpening => &query.given.friction,
-        Sought::Friction => &query.given.half_opening.rad,
-    };
-    let given = Float::with_val(query.bits, given.mid());
+    let given = Float::with_val(query.bits, given(query, sought).mid());
     let system = line.system(query.weight, sought);
     let start = start::on_line(query.weight, line, sought, &given);
     let at = query.root(system, &system.values(&start)).map_err(|open| none(line, &open))?;
@@ -35,6 +31,14 @@ pub(super) fn point_on(
         is_on_line(&query, line, sought)
     })?;
     Ok(at)
+}
+
+/// Value of the half opening or the friction, the one of the two that is not sought.
+fn given(query: &Query, sought: Sought) -> &Ball {
+    match sought {
+        Sought::HalfOpening => &query.given.friction,
+        Sought::Friction => &query.given.half_opening.rad,
+    }
 }
 
 /// Proves that the root in `query` is the point of the line.
@@ -68,13 +72,14 @@ fn is_on_line(query: &Query, line: Line, sought: Sought) -> Result<(), Undecided
 /// Digits of the values at the ends of a line.
 const DIGITS: usize = 10;
 
-/// The ends of a line in words, if a value of the half opening or the friction is proved to be beyond them; the other
+/// The ends of a line in words, if the half opening or the friction of `query` is proved to be beyond them; the other
 /// of the two is sought.
 pub(super) fn beyond(
-    (weight, line): (SelfWeight, Line),
+    query: &Query,
+    line: Line,
     sought: Sought,
-    value: &Ball,
 ) -> Result<Option<String>, Undecided> {
+    let value = given(query, sought);
     let quantity = match sought {
         Sought::HalfOpening => Quantity::Friction,
         Sought::Friction => Quantity::HalfOpening,
@@ -83,7 +88,7 @@ pub(super) fn beyond(
     let end = |landmark: Option<Landmark>| match landmark {
         None => Ok(Some(value.int(0))),
         Some(landmark) => {
-            let of = CertifiedLandmark::new(landmark, weight)?.enclosure(0)?;
+            let of = CertifiedLandmark::new(landmark, query.weight)?.enclosure(0)?;
             Ok::<_, Undecided>(of.quantity(quantity))
         }
     };

@@ -48,6 +48,16 @@ pub enum Given {
     Friction(Friction),
 }
 
+impl Given {
+    /// Quantity that is asked for: the other one.
+    fn sought(&self) -> Sought {
+        match self {
+            Self::HalfOpening(_) => Sought::Friction,
+            Self::Friction(_) => Sought::HalfOpening,
+        }
+    }
+}
+
 /// The answer to a question the other way round.
 #[derive(Clone, Debug)]
 pub enum Finding {
@@ -87,8 +97,7 @@ impl Question {
         match self {
             Self::HalfOpening { .. } => Sought::HalfOpening,
             Self::Friction { .. } => Sought::Friction,
-            Self::Boundary { given: Given::HalfOpening(_), .. } => Sought::Friction,
-            Self::Boundary { given: Given::Friction(_), .. } => Sought::HalfOpening,
+            Self::Boundary { given, .. } => given.sought(),
         }
     }
 
@@ -153,33 +162,7 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
         Question::Friction { thickness, .. } => {
             least_friction(&arch, eta, thickness.is_some(), digits)
         }
-        Question::Boundary { line, given } => {
-            let sought = question.sought();
-            let query = |bits| {
-                let query = Query::new(&arch, bits);
-                match given {
-                    Given::HalfOpening(_) => Query { is_limited: true, ..query },
-                    Given::Friction(_) => query,
-                }
-            };
-            if *given == Given::Friction(Friction::Infinite) {
-                return Err(Refused::UnlimitedFriction.into());
-            }
-            let few = query(FEW);
-            if point_on(&few, *line, sought).is_err() {
-                let given = match sought {
-                    Sought::HalfOpening => &few.given.friction,
-                    Sought::Friction => &few.given.half_opening.rad,
-                };
-                if let Ok(Some(ends)) = beyond((weight, *line), sought, given) {
-                    return Ok(Finding::Beyond(*line, ends));
-                }
-            }
-            Ok(in_digits(&query, digits, &sides(*line, sought), |query| {
-                let at = point_on(query, *line, sought)?;
-                Ok(place(line.modes().to_vec(), &at, sought))
-            })?)
-        }
+        Question::Boundary { line, given } => boundary(&arch, *line, given, digits),
     };
     found.map(|finding| match finding {
         Finding::Found(found) => {
@@ -204,6 +187,28 @@ fn some_may_move(question: &Question, arch: &Arch, found: &Found) -> bool {
         _ => None,
     };
     ranges.is_some_and(|(alphas, mus)| reaches(arch.weight(), alphas, mus))
+}
+
+/// The point of a line of the map where it has the given half opening or friction, or the ends between which it runs.
+fn boundary(arch: &Arch, line: Line, given: &Given, digits: usize) -> Result<Finding, Error> {
+    let sought = given.sought();
+    let query = |bits| {
+        let query = Query::new(arch, bits);
+        Query { is_limited: query.is_limited || sought == Sought::Friction, ..query }
+    };
+    if *given == Given::Friction(Friction::Infinite) {
+        return Err(Refused::UnlimitedFriction.into());
+    }
+    let few = query(FEW);
+    if point_on(&few, line, sought).is_err()
+        && let Ok(Some(ends)) = beyond(&few, line, sought)
+    {
+        return Ok(Finding::Beyond(line, ends));
+    }
+    Ok(in_digits(&query, digits, &sides(line, sought), |query| {
+        let at = point_on(query, line, sought)?;
+        Ok(place(line.modes().to_vec(), &at, sought))
+    })?)
 }
 
 /// The least friction with which an arch stands at a thickness, or at the physical limit.
