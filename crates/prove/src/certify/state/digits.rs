@@ -143,19 +143,19 @@ impl Digits {
 
     /// Every value of a state rounded to `digits` significant digits, if the enclosures decide all of them.
     pub(super) fn new<E: Arithmetic + Figured>(state: &State<E>, digits: usize) -> Option<Self> {
-        let values = Digits {
+        let rounded = |x: &E| x.figure(digits);
+        Some(Self {
             mode: state.mode,
-            thickness: &state.thickness,
-            thrust: &state.thrust,
-            intrinsic_thrust: &(state.thickness.clone() * &state.thrust),
-            rotation_joint: &state.rotation_joint,
-            sliding_joint: state.sliding_joint.as_ref(),
-            frictions: state.frictions.as_ref().map(|both| Frictions {
-                sliding: &both.sliding,
-                rotational: both.rotational.as_ref(),
-            }),
-        };
-        values.rounded(digits)
+            thickness: rounded(&state.thickness)?,
+            thrust: rounded(&state.thrust)?,
+            intrinsic_thrust: rounded(&(state.thickness.clone() * &state.thrust))?,
+            rotation_joint: rounded(&state.rotation_joint)?,
+            sliding_joint: optional(state.sliding_joint.as_ref(), rounded)?,
+            frictions: optional(state.frictions.as_ref(), |both| {
+                let rotational = optional(both.rotational.as_ref(), rounded)?;
+                Some(Frictions { sliding: rounded(&both.sliding)?, rotational })
+            })?,
+        })
     }
 }
 
@@ -173,25 +173,5 @@ impl<E> Digits<&E> {
         let shown = self.into_figures().filter(|(of, _)| shows(*of));
         let rounded = shown.map(|(of, x)| Some((of, optional(x, |x| x.figure(digits))?)));
         Some(SomeDigits { mode, values: rounded.collect::<Option<_>>()? })
-    }
-
-    /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
-    pub(super) fn rounded(&self, digits: usize) -> Option<Digits>
-    where
-        E: Figured,
-    {
-        let rounded = |x: &E| x.figure(digits);
-        Some(Digits {
-            mode: self.mode,
-            thickness: rounded(self.thickness)?,
-            thrust: rounded(self.thrust)?,
-            intrinsic_thrust: rounded(self.intrinsic_thrust)?,
-            rotation_joint: rounded(self.rotation_joint)?,
-            sliding_joint: optional(self.sliding_joint, rounded)?,
-            frictions: optional(self.frictions.as_ref(), |both| {
-                let rotational = optional(both.rotational, rounded)?;
-                Some(Frictions { sliding: rounded(both.sliding)?, rotational })
-            })?,
-        })
     }
 }
