@@ -126,7 +126,7 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
         explain_costs(plan, &run)?;
     }
     if !misfits.is_empty() {
-        return Err(misfits.join("; ").into());
+        return Err([misfits, undecided].concat().join("; ").into());
     }
     Failure::unless_all("proved", &undecided)
 }
