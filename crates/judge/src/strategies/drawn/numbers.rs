@@ -17,8 +17,8 @@ pub fn weight() -> impl Strategy<Value = SelfWeight> + Clone {
     select(&SelfWeight::ALL)
 }
 
-/// An exact half opening in `(0, pi)`, in radians: ordinary ones, to which others shrink, decimals, parts of `pi` (`5pi/12`), tiny ones
-/// (`3e-60`), and next to half a turn (`0.9999pi`).
+/// An exact half opening in `(0, pi)`, in radians: ordinary ones, to which others shrink, decimals, parts of `pi`
+/// (`5pi/12`), tiny ones (`3e-60`), and next to half a turn (`0.9999pi`).
 pub fn half_opening() -> impl Strategy<Value = ExactNumber> {
     prop_oneof![
         1 => select(&["1", "2", "0.5", "1.5", "2.5"]).prop_map(str::to_owned),
@@ -30,8 +30,8 @@ pub fn half_opening() -> impl Strategy<Value = ExactNumber> {
     .prop_filter_map("is a number", |text| text.parse().ok())
 }
 
-/// Any friction: ordinary ones, to which others shrink, coefficients up to 5, none, tiny and huge ones, unlimited, and friction angles in
-/// `[0, pi/2)`, in radians.
+/// Any friction: ordinary ones, to which others shrink, coefficients up to 5, none, tiny and huge ones, unlimited, and
+/// friction angles in `[0, pi/2)`, in radians.
 pub fn friction() -> impl Strategy<Value = Friction> {
     let coefficient = prop_oneof![
         6 => decimal(0.0, 5.0),
