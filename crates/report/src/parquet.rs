@@ -7,7 +7,7 @@ use super::answer::Answer;
 use super::answers::{Answers, Scope};
 use super::column::Column::{Double, Integer, Made, Shown, Text, Truth};
 use super::column::NamedColumn;
-use super::columns::kept_names;
+use super::columns::{kept_cell, kept_names};
 use super::names::head;
 use super::parquet_file::{ParquetColumn, ParquetFile, ParquetTable, Texts};
 use super::rows::Rows;
@@ -91,7 +91,9 @@ impl ParquetRows {
     fn write(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>> {
         let rows: Vec<ValueRow> = answers.iter().flat_map(ValueRow::all).collect();
         let own = ValueRow::COLUMNS.map(|(name, _)| name.to_owned());
-        let texts = |name: &String| rows.iter().map(|row| Some(row.kept(name))).collect();
+        let texts = |name: &String| {
+            rows.iter().map(|row| Some(kept_cell(&row.answer.kept, name))).collect()
+        };
         let kept = self.report.kept.iter().map(texts);
         let kept: Vec<_> = kept_names(&self.report.kept, &own).into_iter().zip(kept).collect();
         group(&mut self.file, (&ValueRow::COLUMNS, &VALUES), &rows, &kept)

@@ -3,7 +3,6 @@
 use super::answer::Answer;
 use super::column::Column::{Double, Integer, Made, Shown, Text, Truth};
 use super::column::NamedColumn;
-use super::columns::kept_cell;
 use super::value::Value;
 use super::words::labels;
 use crate::problem::Quantity;
@@ -69,11 +68,6 @@ impl<'a> ValueRow<'a> {
             value: Some(value),
         };
         answer.values.iter().map(row).collect()
-    }
-
-    /// The cell of what is handed on under a name.
-    pub(super) fn kept(&self, name: &str) -> &'a str {
-        kept_cell(&self.answer.kept, name)
     }
 
     /// The mode of an arch; at a landmark several meet.
