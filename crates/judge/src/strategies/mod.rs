@@ -14,9 +14,8 @@
 //! | `half_opening`, `friction` | the numbers of a query alone |
 //!
 //! Hard are openings like `1e-60` or `0.9999pi`, frictions like `1e80`, `0` and `inf`, and the
-//! neighbourhood of each landmark, where modes meet. A failure shrinks to an ordinary arch, of
-//! Heyman's weight with a friction of `inf`, 1 or 0.5 and a half opening of few decimals where such a one fails too,
-//! and is printed as the command that answers it.
+//! neighbourhood of each landmark, where modes meet. A failure shrinks towards ordinary
+//! arches, of Heyman's weight with a friction of `inf`, 1 or 0.5 and a half opening of few decimals, and is printed as the command that answers it.
 
 mod assemblies;
 mod assembly;
