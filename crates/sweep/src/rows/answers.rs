@@ -168,6 +168,9 @@ mod tests {
             ("jsonl", 17, &[Quantity::Thrust]),
             ("csv", 3, &[Quantity::Thickness, Quantity::SlidingFriction]),
             ("csv", 17, &Quantity::ASSESSMENT),
+            ("csv", 17, &[Quantity::GeometricSafety]),
+            ("csv", 17, &[Quantity::LeastThickness, Quantity::RotationalFriction]),
+            ("jsonl", 17, &[Quantity::RequiredFriction]),
             ("jsonl", 12, &[Quantity::GeometricSafety, Quantity::LargestThrust]),
         ] {
             let format = Format::named(Content::ROWS, name).unwrap();
