@@ -15,7 +15,8 @@
 //!
 //! Hard are openings like `1e-60` or `0.9999pi`, frictions like `1e80`, `0` and `inf`, and the
 //! neighbourhood of each landmark, where modes meet. A failure shrinks towards ordinary
-//! arches, of Heyman's weight with a friction of `inf`, 1 or 0.5 and a half opening of few decimals, and is printed as the command that answers it.
+//! arches, of Heyman's weight with a friction of `inf`, 1 or 0.5 and a half opening of few
+//! decimals, and is printed as the command that answers it.
 
 mod assemblies;
 mod assembly;
