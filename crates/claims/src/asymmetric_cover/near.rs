@@ -113,7 +113,7 @@ fn root_in(weight: SelfWeight, place: &ForceBox, start: &mut [f64; 7]) -> Option
         Some(reach) => centre[k].widened(INFLATION[k] * reach),
         None => forces[k - 7].ball(),
     });
-    let slopes = touching(weight, &Gradient::variables(&domain));
+    let slopes = touching(weight, &Gradient::<_, 9>::variables(&domain));
     let root = krawczyk::image(&centre, &residuals, &slopes, &inverse, &domain);
     krawczyk::is_contracted(&root, &domain[..7]).then(|| root.try_into().ok())?
 }

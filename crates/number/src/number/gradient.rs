@@ -9,7 +9,7 @@ use std::array;
 ///
 /// ```
 /// use couplet_number::number::{Field, Gradient};
-/// let [x, y] = Gradient::variables(&[3.0, 5.0]);
+/// let [x, y] = Gradient::<f64, 2>::variables(&[3.0, 5.0]);
 /// let product = x * y + x.square();
 /// assert_eq!((product.value, product.slopes), (24.0, [11.0, 3.0]));
 /// ```
@@ -28,8 +28,9 @@ impl<T: Field + Copy, const N: usize> Gradient<T, N> {
         Self { value, slopes: [value.int(0); N] }
     }
 
-    /// Variables: each value as an unknown, numbered in order.
-    pub fn variables(values: &[T; N]) -> [Self; N] {
+    /// Variables: each value as an unknown, numbered in order. There may be fewer than slopes; more do not compile.
+    pub fn variables<const K: usize>(values: &[T; K]) -> [Self; K] {
+        const { assert!(K <= N) };
         array::from_fn(|index| {
             let mut variable = Self::constant(values[index]);
             variable.slopes[index] = variable.value.int(1);
@@ -161,7 +162,7 @@ mod tests {
     #[test]
     fn the_gradient_is_that_of_dual_numbers() {
         for (x, y) in [(0.3, 2.5), (1.7, 0.01), (-0.9, 4.0)] {
-            let [a, b] = Gradient::variables(&[x, y]);
+            let [a, b] = Gradient::<f64, 2>::variables(&[x, y]);
             let dual = Dual::variables(&[x, y]);
             for (found, expected) in all(&a, &b).iter().zip(all(&dual[0], &dual[1])) {
                 assert_eq!(found.value, *expected.value());

@@ -46,7 +46,7 @@ pub trait Arithmetic: Engine + Stumpff {
     fn is_small(exponent: i64, bits: u32) -> bool;
 
     /// Encloses the root of equations next to a start value, proved to exist and to be unique in a box on which
-    /// the equations are regular; with the sines and cosines that it took.
+    /// the equations are regular, in doubles of one or two; with the sines and cosines that it took.
     fn rooted<const N: usize>(
         equations: &impl Form<Self>,
         bits: u32,
@@ -197,7 +197,7 @@ macro_rules! led_by_doubles {
                 _bits: u32,
                 start: &[f64; N],
             ) -> Result<([Self; N], ()), Undecided> {
-                in_doubles::root_near(equations, *start).map(|root| (root, ()))
+                in_doubles::root_near::<_, N, 2>(equations, *start).map(|root| (root, ()))
             }
 
             fn rooted_of_few(

@@ -81,16 +81,20 @@ const BOXES: usize = 3;
 /// Ratio of the width of a box to the correction that the residuals ask for.
 const INFLATION: f64 = 4.0;
 
-/// The root next to a start value whose length is one of some: each has its own code.
+/// The root next to a start value whose length is one of some: the last of them is the number of slopes, so that the
+/// equations have one code for all.
 macro_rules! root_of {
-    ($($name:ident: $($n:literal)+, $words:literal;)+) => {$(
+    ($($name:ident: $($n:literal)+, $slopes:literal, $words:literal;)+) => {$(
         #[doc = concat!("Encloses the root of ", $words, " equations next to a start value, as [`root_near`] does.")]
         pub fn $name<E: Doubles>(
             equations: &impl Form<E>,
             start: &[f64],
         ) -> Result<Vec<E>, Undecided> {
             match start.len() {
-                $($n => root_near(equations, array::from_fn::<f64, $n, _>(|k| start[k])).map(Vec::from),)+
+                $($n => {
+                    let start = array::from_fn::<f64, $n, _>(|k| start[k]);
+                    root_near::<E, $n, $slopes>(equations, start).map(Vec::from)
+                })+
                 _ => Err(Undecided::no_solution()),
             }
         }
@@ -98,24 +102,26 @@ macro_rules! root_of {
 }
 
 root_of! {
-    root_of_few: 1 2 3 4, "one to four";
-    root_of_many: 5 6 7, "five to seven";
+    root_of_few: 1 2 3 4, 4, "one to four";
+    root_of_many: 5 6 7, 7, "five to seven";
 }
 
 /// Encloses the root of as many equations as unknowns next to a start value, proved to exist and to be unique
-/// in a box on which the equations are regular.
-pub fn root_near<E: Doubles, const N: usize>(
+/// in a box on which the equations are regular. The equations are evaluated with `S` slopes, of which `N` are those of
+/// unknowns: each `S` is compiled for itself.
+pub fn root_near<E: Doubles, const N: usize, const S: usize>(
     equations: &impl Form<E>,
     start: [f64; N],
 ) -> Result<[E; N], Undecided> {
-    let (candidate, inverse) = settle(equations, start).ok_or_else(Undecided::no_solution)?;
+    let (candidate, inverse) =
+        settle::<E, N, S>(equations, start).ok_or_else(Undecided::no_solution)?;
     let mut centre = candidate.map(|x| E::from(DoubleBall::exact(x)));
     if E::BITS > FEW_BITS {
         centre = correction(equations, &centre, &inverse).middle(&centre);
     }
     let mut found = None;
     for _ in 0..BOXES {
-        let Image { middle, proved } = image(equations, &centre, &inverse);
+        let Image { middle, proved } = image::<E, N, S>(equations, &centre, &inverse);
         let is_narrow = |x: &E| x.radius() <= E::NARROW * x.nearest().abs();
         found = proved.or(found);
         if found.is_some_and(|image| image.iter().all(is_narrow)) {
@@ -127,20 +133,20 @@ pub fn root_near<E: Doubles, const N: usize>(
 }
 
 /// Newton's method in doubles for positive unknowns: a candidate, and an approximate inverse of the Jacobian there.
-fn settle<E: Doubles, const N: usize>(
+fn settle<E: Doubles, const N: usize, const S: usize>(
     equations: &impl Form<E>,
     mut x: [f64; N],
 ) -> Option<([f64; N], [[f64; N]; N])> {
     let mut last = f64::INFINITY;
     for _ in 0..STEPS {
         tally::newton_step();
-        let number = |given: &E| Gradient::<f64, N>::constant(given.nearest());
+        let number = |given: &E| Gradient::<f64, S>::constant(given.nearest());
         let residuals = equations.at(number, &Gradient::variables(&x));
         // Only a square system has a Jacobian, and a root to prove.
         if residuals.len() != N {
             return None;
         }
-        let inverse = invert(array::from_fn(|e| residuals[e].slopes))?;
+        let inverse = invert(array::from_fn(|e| array::from_fn(|k| residuals[e].slopes[k])))?;
         let mut longest = 0.0f64;
         for (x, row) in x.iter_mut().zip(&inverse) {
             let step: f64 = row.iter().zip(&residuals).map(|(y, r)| y * r.value).sum();
@@ -199,7 +205,7 @@ impl<E: Doubles, const N: usize> Correction<E, N> {
 }
 
 /// The image of a box about a centre, just wide enough for what the residuals there ask for.
-fn image<E: Doubles, const N: usize>(
+fn image<E: Doubles, const N: usize, const S: usize>(
     equations: &impl Form<E>,
     centre: &[E; N],
     inverse: &[[f64; N]; N],
@@ -212,7 +218,7 @@ fn image<E: Doubles, const N: usize>(
     if !equations.is_regular(|given| (*given).into(), &coarse) {
         return Image { middle, proved: None };
     }
-    let variables = Gradient::<DoubleBall, N>::variables(&coarse);
+    let variables = Gradient::<DoubleBall, S>::variables(&coarse);
     let slopes = equations.at(|given| Gradient::constant((*given).into()), &variables);
     let offsets: [DoubleBall; N] = array::from_fn(|k| (domain[k] - centre[k]).into());
     let spread = krawczyk::spread(&slopes, &inverse.map(|row| row.map(exact)), &offsets);
@@ -252,7 +258,7 @@ mod tests {
     fn found(k: u32) -> (DoubleDoubleBall, usize) {
         let equations = Close { k, boxes: Cell::new(0) };
         let start = 1.0 + 1.1 / f64::from(1 << k);
-        let [root] = root_near::<DoubleDoubleBall, 1>(&equations, [start]).unwrap();
+        let [root] = root_near::<DoubleDoubleBall, 1, 2>(&equations, [start]).unwrap();
         (root, equations.boxes.get())
     }
 
@@ -273,7 +279,7 @@ mod tests {
     #[test]
     fn a_root_that_may_be_double_is_undecided() {
         let equations = Close { k: 30, boxes: Cell::new(0) };
-        let proved = root_near::<DoubleDoubleBall, 1>(&equations, [1.0]);
+        let proved = root_near::<DoubleDoubleBall, 1, 2>(&equations, [1.0]);
         assert!(proved.is_err(), "{proved:?}");
     }
 }

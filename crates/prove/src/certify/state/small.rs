@@ -97,8 +97,8 @@ impl<E: Arithmetic> Small<E> {
 
     fn root(&self, mode: Mode, start: [E::Candidate; 3]) -> Result<SmallRoot<E>, Undecided> {
         let equations = ScaledEquations { small: self, mode };
-        let root = E::root_near(&equations, self.bits, &start)?;
-        let at = equations.place(self.given.clone(), root.into());
+        let (root, _) = E::rooted_of_few(&equations, self.bits, &start)?;
+        let at = equations.place(self.given.clone(), root);
         Ok(SmallRoot { at, alpha: self.alpha.clone() })
     }
 }
