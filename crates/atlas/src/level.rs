@@ -23,20 +23,23 @@ use super::trace::Trace;
 use super::variable::Variable;
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
-use crate::number::{Ball, Enclosure, Ternary};
+use crate::number::{Ball, Enclosure, Ternary, says};
 use crate::problem::{Line, Mode};
 
 /// Reason why there is no line.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum NoLevel {
     /// No arch has it.
-    #[error("{0}")]
     Outside(String),
     /// The level is that of a landmark, or a proof fails.
-    #[error("{0}: {1}")]
     Undecided(String, Undecided),
 }
+
+says!(NoLevel {
+    Self::Outside(why) => "{why}";
+    Self::Undecided(level, error) => "{level}: {error}";
+});
 
 fn no_arch(contour: &Contour) -> String {
     match contour {

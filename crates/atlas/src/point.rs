@@ -9,15 +9,14 @@ use super::trace::{leg_to, pieces_of};
 use super::variable::Variable;
 use crate::arch::SelfWeight;
 use crate::certify::{Refused, Undecided};
-use crate::number::{Ball, Enclosure, ExactNumber, Rounded, bits_of};
+use crate::number::{Ball, Enclosure, ExactNumber, Rounded, bits_of, says};
 use crate::problem::Quantity;
 
 /// Reason why there is no point at a parameter.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum NoPoint {
     /// The parameter is not strictly between those of the ends.
-    #[error("{name} {parameter} is not on the curve, where it is between {low:.6} and {high:.6}")]
     Outside {
         /// The name of the parameter.
         name: &'static str,
@@ -29,12 +28,20 @@ pub enum NoPoint {
         high: f64,
     },
     /// The question makes no sense.
-    #[error(transparent)]
-    Refused(#[from] Refused),
+    Refused(Refused),
     /// The proof fails, or a rounding stays open.
-    #[error(transparent)]
-    Undecided(#[from] Undecided),
+    Undecided(Undecided),
 }
+
+says!(NoPoint {
+    Self::Outside { name, parameter, low, high } =>
+        "{name} {parameter} is not on the curve, where it is between {low:.6} and {high:.6}";
+    Self::Refused(error) => "{error}";
+    Self::Undecided(error) => "{error}";
+} from {
+    Refused => Self::Refused;
+    Undecided => Self::Undecided;
+});
 
 /// Bits beyond the digits asked for, doubled as often as a rounding stays open.
 const GUARD: u32 = 48;

@@ -4,24 +4,25 @@ use crate::ask::Misfit;
 use crate::atlas::NoSketch;
 use crate::certify::{Error, Refused, Undecided};
 use crate::check::{self, reason};
-use crate::number::ParseExactError;
+use crate::number::{ParseExactError, says};
 use crate::problem::{ArchError, stones::StonesError};
 use std::fmt::Display;
 use std::io;
 
 /// Why a command did not do what was asked.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum Failure {
     /// The input makes no sense.
-    #[error("{0}")]
     Input(String),
     /// Not everything could be proved; what could has been printed.
-    #[error("{0}")]
     Undecided(String),
     /// A file or a stream.
-    #[error("{0}")]
     Io(String),
 }
+
+says!(Failure {
+    Self::Input(text) | Self::Undecided(text) | Self::Io(text) => "{text}";
+});
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {

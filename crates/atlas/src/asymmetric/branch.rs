@@ -21,21 +21,26 @@ use super::stretch::Stretch;
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::Undecided;
-use crate::number::{Ball, Enclosure, ExactNumber, Ternary};
+use crate::number::{Ball, Enclosure, ExactNumber, Ternary, says};
 use crate::problem::Line;
 use rug::Float;
 
 /// Reason why there is no branch.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum NoBranch {
     /// None begins at the friction of pure sliding.
-    #[error("{0}")]
     Nowhere(&'static str),
     /// A proof fails.
-    #[error("{0}")]
-    Undecided(#[from] Undecided),
+    Undecided(Undecided),
 }
+
+says!(NoBranch {
+    Self::Nowhere(why) => "{why}";
+    Self::Undecided(error) => "{error}";
+} from {
+    Undecided => Self::Undecided;
+});
 
 /// The branch of a half opening.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ use crate::certify::state::{
     Fall, Figure, Outcome, assessment_enclosed, raised, sliding_configuration, state_enclosed,
 };
 use crate::certify::{CertifiedLandmark, Error, Refused, Undecided, asymmetric_thicknesses};
-use crate::number::{Ball, Drawable, Enclosure, ExactNumber, Rounded, Ternary};
+use crate::number::{Ball, Drawable, Enclosure, ExactNumber, Rounded, Ternary, says};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Fixed, Landmark, Mode};
 use crate::sketch::{NoCollapse, joints_of};
@@ -65,41 +65,48 @@ pub enum Subject {
 }
 
 /// Reason why there is nothing to draw.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, Debug)]
 pub enum NoSketch {
     /// The thickness or the stones are none.
-    #[error(transparent)]
-    Refused(#[from] Refused),
+    Refused(Refused),
     /// The proof did not succeed.
-    #[error(transparent)]
-    Undecided(#[from] Undecided),
+    Undecided(Undecided),
     /// An arch too thin to slide only.
-    #[error(
-        "no line of thrust fits into an arch of this thickness that slides only: it has to be thicker"
-    )]
     NoRoom,
     /// An arch of so few stones that it stands at every thickness.
-    #[error("an arch of {0} stones stands at every thickness: give --thickness, or more stones")]
     AnyThickness(u64),
     /// A keystone without a thrust on it.
-    #[error(
-        "with unlimited friction the keystone of {0} stones hangs where there is no thrust: give a limited \
-         --friction, or an even number of stones"
-    )]
     HangingKeystone(u64),
     /// A mode in which the arch does not fall.
-    #[error("the arch does not fall as {0}, but as {1}")]
     OtherMode(Mode, String),
     /// An arch so narrow that doubles do not resolve how its blocks move.
-    #[error("the half opening {0} is too small for a picture, which takes 1e-9 at least")]
     TooNarrow(String),
     /// A half opening with which no arch stands.
-    #[error("no arch of the half opening {0} stands at a thickness up to 2")]
     TooWide(String),
     /// A landmark without a friction.
-    #[error("{} is a point of the purely rotational states, at no friction of its own", .0.symbol())]
     NoFriction(Landmark),
 }
+
+says!(NoSketch {
+    Self::Refused(error) => "{error}";
+    Self::Undecided(error) => "{error}";
+    Self::NoRoom =>
+        "no line of thrust fits into an arch of this thickness that slides only: it has to be thicker";
+    Self::AnyThickness(stones) =>
+        "an arch of {stones} stones stands at every thickness: give --thickness, or more stones";
+    Self::HangingKeystone(stones) =>
+        "with unlimited friction the keystone of {stones} stones hangs where there is no thrust: give a limited \
+         --friction, or an even number of stones";
+    Self::OtherMode(asked, own) => "the arch does not fall as {asked}, but as {own}";
+    Self::TooNarrow(alpha) =>
+        "the half opening {alpha} is too small for a picture, which takes 1e-9 at least";
+    Self::TooWide(alpha) => "no arch of the half opening {alpha} stands at a thickness up to 2";
+    Self::NoFriction(landmark) =>
+        "{} is a point of the purely rotational states, at no friction of its own", landmark.symbol();
+} from {
+    Refused => Self::Refused;
+    Undecided => Self::Undecided;
+});
 
 /// The least half opening of a picture, rad: of smaller ones doubles do not tell how blocks move.
 const LEAST: f64 = 1e-9;

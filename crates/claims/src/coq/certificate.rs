@@ -9,18 +9,23 @@ use crate::check::{
     AcceptedFile, ArchFile, Certificate, ClaimFile, Refusal, SurveyCertificate, ValueFile, Witness,
     verify_file,
 };
-use crate::number::Dyadic;
+use crate::number::{Dyadic, says};
 use rug::Integer;
 use rug::integer::Order;
 
 /// Reason why a certificate does not become a theorem.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CertificateError {
     /// The checker does not accept it.
-    #[error("refused: {0}")]
-    Refused(#[from] Refusal),
+    Refused(Refusal),
 }
+
+says!(CertificateError {
+    Self::Refused(why) => "refused: {why}";
+} from {
+    Refusal => Self::Refused;
+});
 
 /// The file of a certificate, name and content, after a check of it.
 ///

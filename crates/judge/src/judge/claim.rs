@@ -2,7 +2,7 @@
 
 use super::printed::PrintedNumber;
 use crate::certify::Refused;
-use crate::number::{Decimal, ExactNumber, shown as short};
+use crate::number::{Decimal, ExactNumber, says, shown as short};
 use crate::problem::{Mode, Quantity};
 
 /// Statement of a row on an arch.
@@ -57,34 +57,38 @@ pub struct Said<'a> {
 }
 
 /// Reason why a row says nothing that can be judged.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ClaimError {
     /// Neither yes nor no.
-    #[error(
-        "'{0}' does not say whether the arch stands: true, yes, 1, stands or false, no, 0, falls"
-    )]
     Stands(String),
     /// The text is not the letters of a mode.
-    #[error(
-        "'{0}' is not a mode: [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [r] or [s,s], with or without \
-         brackets and commas"
-    )]
     Mode(String),
     /// The text is not a decimal number.
-    #[error("the {0} '{1}' is not a decimal number, nor empty, nan, inf, none or falls")]
     Number(&'static str, String),
     /// Too long or too far from one to be meant.
-    #[error(
-        "the {0} '{1}' is out of range: at most {MAX_DIGITS} digits, from 1e-{MAX_SIZE} to 1e{MAX_SIZE}"
-    )]
     Range(&'static str, String),
     /// The thickness that it has is none.
-    #[error(transparent)]
-    Thickness(#[from] Refused),
+    Thickness(Refused),
     /// One column says that the arch stands, another that it falls.
-    #[error("the {0} says that the arch stands, the {1} that it falls")]
     Contradiction(&'static str, &'static str),
 }
+
+says!(ClaimError {
+    Self::Stands(text) =>
+        "'{text}' does not say whether the arch stands: true, yes, 1, stands or false, no, 0, falls";
+    Self::Mode(text) =>
+        "'{text}' is not a mode: [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [r] or [s,s], with or without \
+         brackets and commas";
+    Self::Number(name, text) =>
+        "the {name} '{text}' is not a decimal number, nor empty, nan, inf, none or falls";
+    Self::Range(name, text) =>
+        "the {name} '{text}' is out of range: at most {MAX_DIGITS} digits, from 1e-{MAX_SIZE} to 1e{MAX_SIZE}";
+    Self::Thickness(error) => "{error}";
+    Self::Contradiction(one, other) =>
+        "the {one} says that the arch stands, the {other} that it falls";
+} from {
+    Refused => Self::Thickness;
+});
 
 /// Digits of a claim; more are not printed by anybody, and cost a long time.
 const MAX_DIGITS: usize = 10_000;

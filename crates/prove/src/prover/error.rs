@@ -1,7 +1,7 @@
 //! Reasons why there is no answer: one type for `?`.
 
 use super::{Refused, Undecided};
-use crate::number::ParseExactError;
+use crate::number::{ParseExactError, says};
 use crate::problem::ArchError;
 use crate::problem::stones::StonesError;
 
@@ -20,15 +20,21 @@ use crate::problem::stones::StonesError;
 /// assert!(matches!(thrust("80deg", 0), Err(couplet_prove::certify::Error::Refused(_))));
 /// assert!(matches!(thrust("80", 5), Err(couplet_prove::certify::Error::Refused(_))), "no half opening");
 /// ```
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Error {
     /// The question makes no sense.
-    #[error(transparent)]
-    Refused(#[from] Refused),
+    Refused(Refused),
     /// The proof did not succeed.
-    #[error(transparent)]
-    Undecided(#[from] Undecided),
+    Undecided(Undecided),
 }
+
+says!(Error {
+    Self::Refused(error) => "{error}";
+    Self::Undecided(error) => "{error}";
+} from {
+    Refused => Self::Refused;
+    Undecided => Self::Undecided;
+});
 
 impl Error {
     /// An answer or the proof that did not succeed, apart from a question that makes no sense.

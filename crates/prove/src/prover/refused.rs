@@ -4,7 +4,7 @@
 
 use crate::arch::SelfWeight;
 use crate::check::MAX_LENGTH_DIGITS;
-use crate::number::{Ball, Enclosure, ExactNumber, Form};
+use crate::number::{Ball, Enclosure, ExactNumber, Form, says};
 use crate::problem::stones::StonesError;
 use crate::problem::{Arch, ArchError, Friction, Landmark, Line, Quantity, ThicknessError};
 
@@ -22,11 +22,10 @@ pub const MAX_DIGITS: usize = 1_000_000;
 /// assert_eq!(why.to_string(), "digits are a whole number from 1 to 1000000");
 /// # Ok::<(), couplet_prove::certify::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Refused {
     /// No value has so many digits, or none at all.
-    #[error("digits are a whole number from 1 to {most}")]
     Digits {
         /// Number that was asked for.
         asked: usize,
@@ -34,7 +33,6 @@ pub enum Refused {
         most: usize,
     },
     /// The subject does not have the quantity.
-    #[error("there is no {} here; the quantities are {}", .quantity.name(), names(.possible))]
     NoSuchQuantity {
         /// Quantity that was asked for.
         quantity: Quantity,
@@ -42,16 +40,12 @@ pub enum Refused {
         possible: Vec<Quantity>,
     },
     /// The thickness is not above 0 and at most 2, or a multiple of pi, which is no ratio.
-    #[error(transparent)]
-    Thickness(#[from] ThicknessError),
+    Thickness(ThicknessError),
     /// The half opening or the friction is out of its range.
-    #[error(transparent)]
-    Arch(#[from] ArchError),
+    Arch(ArchError),
     /// The stones are none of an arch.
-    #[error(transparent)]
-    Stones(#[from] StonesError),
+    Stones(StonesError),
     /// The stones are too few, or more than this question is answered for.
-    #[error("{asked} is no number of stones here: give one from 2 to {most}")]
     StoneCount {
         /// Number that was asked for.
         asked: u64,
@@ -59,7 +53,6 @@ pub enum Refused {
         most: u64,
     },
     /// The line of the map does not end at the landmark.
-    #[error("the line {line} does not end at {}, but at {}", .at.symbol(), ends(.line))]
     NoEnd {
         /// The line.
         line: Line,
@@ -67,18 +60,12 @@ pub enum Refused {
         at: Landmark,
     },
     /// A boundary at unlimited friction.
-    #[error("a boundary needs a limited friction: with inf nothing slides")]
     UnlimitedFriction,
     /// The rotational joint is not between 0 and pi.
-    #[error("the rotational joint {} is not between 0 and pi (180deg){}", .0, meant(.0))]
     RotationJoint(ExactNumber),
     /// The rotational joint is beyond the widest one.
-    #[error(
-        "the rotational joint {0} is beyond the widest one, beta_sb: (9), (10) and (11) are real up to it"
-    )]
     BeyondWidestJoint(ExactNumber),
     /// A value of a quantity is out of its range.
-    #[error("{} = {value} is not between {} and {}", .quantity.name(), .limits[0], .limits[1])]
     Outside {
         /// Quantity that is given.
         quantity: Quantity,
@@ -88,7 +75,6 @@ pub enum Refused {
         limits: [&'static str; 2],
     },
     /// A quantity is missing.
-    #[error("{} is missing; the equation needs {}", .missing.name(), names(.needed))]
     Missing {
         /// Quantity that is missing.
         missing: Quantity,
@@ -96,7 +82,6 @@ pub enum Refused {
         needed: Vec<Quantity>,
     },
     /// An equation of the other self-weight.
-    #[error("({equation}) is not for {}'s weight", .weight.name())]
     OtherWeight {
         /// Number of the equation.
         equation: u8,
@@ -104,31 +89,58 @@ pub enum Refused {
         weight: SelfWeight,
     },
     /// A pole of an equation.
-    #[error("({equation}) has no value there: what it divides by is exactly zero")]
     DividesByZero {
         /// Number of the equation.
         equation: u8,
     },
     /// A closed form that the paper does not have.
-    #[error(
-        "(9), (10) and (11) are for Milankovitch's weight; for Heyman's give (7), which has quadratics then"
-    )]
     ClosedFormOfHeyman,
     /// A certificate of a survey whose arches have no thickness.
-    #[error("a certificate of a survey needs a thickness: without one there is no verdict")]
     SurveyWithoutThickness,
     /// A length of more digits than the certificate of a survey has.
-    #[error(
-        "in a certificate of a survey a length is a fraction of integers of at most {MAX_LENGTH_DIGITS} digits"
-    )]
     LongLengths,
     /// An angle that no certificate holds.
-    #[error("no certificate holds {0}: give span and rise, a part of pi or a rational number")]
     Uncertifiable(ExactNumber),
     /// Arrays that have to be of one length are not.
-    #[error("the arrays are not of one length: {}", lengths(.0))]
     Lengths(Vec<usize>),
 }
+
+says!(Refused {
+    Self::Digits { most, .. } => "digits are a whole number from 1 to {most}";
+    Self::NoSuchQuantity { quantity, possible } =>
+        "there is no {} here; the quantities are {}", quantity.name(), names(possible);
+    Self::Thickness(error) => "{error}";
+    Self::Arch(error) => "{error}";
+    Self::Stones(error) => "{error}";
+    Self::StoneCount { asked, most } => "{asked} is no number of stones here: give one from 2 to {most}";
+    Self::NoEnd { line, at } =>
+        "the line {line} does not end at {}, but at {}", at.symbol(), ends(line);
+    Self::UnlimitedFriction => "a boundary needs a limited friction: with inf nothing slides";
+    Self::RotationJoint(joint) =>
+        "the rotational joint {} is not between 0 and pi (180deg){}", joint, meant(joint);
+    Self::BeyondWidestJoint(joint) =>
+        "the rotational joint {joint} is beyond the widest one, beta_sb: (9), (10) and (11) are real up to it";
+    Self::Outside { quantity, value, limits } =>
+        "{} = {value} is not between {} and {}", quantity.name(), limits[0], limits[1];
+    Self::Missing { missing, needed } =>
+        "{} is missing; the equation needs {}", missing.name(), names(needed);
+    Self::OtherWeight { equation, weight } => "({equation}) is not for {}'s weight", weight.name();
+    Self::DividesByZero { equation } =>
+        "({equation}) has no value there: what it divides by is exactly zero";
+    Self::ClosedFormOfHeyman =>
+        "(9), (10) and (11) are for Milankovitch's weight; for Heyman's give (7), which has quadratics then";
+    Self::SurveyWithoutThickness =>
+        "a certificate of a survey needs a thickness: without one there is no verdict";
+    Self::LongLengths =>
+        "in a certificate of a survey a length is a fraction of integers of at most {MAX_LENGTH_DIGITS} digits";
+    Self::Uncertifiable(angle) =>
+        "no certificate holds {angle}: give span and rise, a part of pi or a rational number";
+    Self::Lengths(all) => "the arrays are not of one length: {}", lengths(all);
+} from {
+    ThicknessError => Self::Thickness;
+    ArchError => Self::Arch;
+    StonesError => Self::Stones;
+});
 
 impl Refused {
     /// Checks that so many digits can be asked for.

@@ -1,5 +1,6 @@
 //! The outcome of a proof that did not succeed.
 
+use crate::number::says;
 use crate::problem::Mode;
 use std::borrow::Cow;
 
@@ -19,8 +20,7 @@ use std::borrow::Cow;
 /// assert!(arch.certify(17).is_ok());
 /// # Ok::<(), couplet_prove::certify::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("undecided: {reason}")]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Undecided {
     /// Question that could not be told.
@@ -34,6 +34,8 @@ pub struct Undecided {
     /// A bound of the difference that could not be told from zero, where one was looked at.
     pub gap: Option<f64>,
 }
+
+says!(Undecided { Self { reason, .. } => "undecided: {reason}"; });
 
 /// Kind of question that stayed open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -7,7 +7,7 @@ use super::inquiry::Inquiry;
 use super::mode::{outcome, pure_sliding};
 use super::query::{DOUBLE, Query, bits_lost};
 use super::state::{Fall, Outcome};
-use crate::number::{Ball, DoubleBall, ExactNumber};
+use crate::number::{Ball, DoubleBall, ExactNumber, says};
 use crate::problem::Arch;
 use crate::prover::decide::require;
 use crate::prover::{Error, Refused, Undecided};
@@ -17,18 +17,24 @@ use std::borrow::Borrow;
 const LEAST_BITS: u32 = 32;
 
 /// Reason why an arch has no least thickness to show.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum NoState {
     /// The arch stands at no thickness, which is proved.
-    #[error("the arch stands at no thickness: {}", .0.reason())]
     Falls(Fall),
     /// The question makes no sense.
-    #[error(transparent)]
-    Refused(#[from] Refused),
+    Refused(Refused),
     /// The proof did not succeed.
-    #[error(transparent)]
-    Undecided(#[from] Undecided),
+    Undecided(Undecided),
 }
+
+says!(NoState {
+    Self::Falls(fall) => "the arch stands at no thickness: {}", fall.reason();
+    Self::Refused(error) => "{error}";
+    Self::Undecided(error) => "{error}";
+} from {
+    Refused => Self::Refused;
+    Undecided => Self::Undecided;
+});
 
 impl From<Error> for NoState {
     fn from(error: Error) -> Self {
