@@ -12,6 +12,8 @@ version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 # not go on.
 number=0
 profile=${COUPLET_PROFILE:-release}
+# A fault in the library is a status of its caller and does not end it.
+export CARGO_PROFILE_RELEASE_PANIC=unwind
 made=${CARGO_TARGET_DIR:-target}/$profile
 cargo=cargo
 linker=(${CC:-cc})
