@@ -3,7 +3,9 @@
 use super::answer::{
     ENCLOSED_DIGITS, EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch,
 };
-use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit, least_in_metres};
+use crate::certify::state::{
+    Answer, AssessmentDigits, Balls, Figure, Limit, Wanted, least_in_metres,
+};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
@@ -42,7 +44,12 @@ impl Corner {
         let balls = Balls::DoubleDoubles;
         let found = match &at.thickness {
             None => CornerAnswer::State(balls.state(&at.arch, digits, false)),
-            Some(eta) => CornerAnswer::Assessment(Box::new(balls.assess(&at.arch, eta, digits)?)),
+            Some(eta) => CornerAnswer::Assessment(Box::new(balls.assess(
+                &at.arch,
+                eta,
+                digits,
+                Wanted::Everything,
+            )?)),
         };
         Ok(Self { side, at, found, metres: Ok(None) })
     }
@@ -267,7 +274,7 @@ pub(super) fn enclosed_thrusts(
     eta: &ExactNumber,
     digits: usize,
 ) -> Option<[(EndValue, EndValue); 2]> {
-    let found = Balls::DoubleDoubles.assess(arch, eta, digits).ok()?;
+    let found = Balls::DoubleDoubles.assess(arch, eta, digits, Wanted::Everything).ok()?;
     let [least, largest] = found.limits();
     let both = |limit: &Limit<Figure>| match &limit.thrust {
         None => (EndValue::Unbounded, EndValue::Unbounded),

@@ -9,6 +9,7 @@ use super::survey;
 use super::tilt;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
+use crate::certify::state::Wanted;
 use crate::problem::{Arch, Quantity};
 use crate::sweep::answer;
 use crate::sweep::failure::Failure;
@@ -75,7 +76,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let quantities = arguments.output.quantities(&all)?;
     let (proved, balls) = (format.proved_digits(digits), format.balls());
     let answer = |line, arch: &Arch| {
-        let found = balls.assess(arch, eta, proved);
+        let found = balls.assess(arch, eta, proved, Wanted::Everything);
         answer::assessment(
             crate::report::Extent::ALL,
             line,

@@ -3,7 +3,7 @@
 
 use crate::certify::Undecided;
 use crate::certify::state::{
-    Assessment, Outcome, assessment_enclosed, decided, quick_outcome, quick_sliding,
+    Assessment, Outcome, Wanted, assessment_enclosed, decided, quick_outcome, quick_sliding,
     sliding_enclosed, state_enclosed,
 };
 use crate::number::{
@@ -115,7 +115,7 @@ macro_rules! quick {
                 _bits: u32,
             ) -> Result<Assessment<Self>, Undecided> {
                 let open = || Undecided::new("more bits are asked for");
-                decided(arch, thickness).ok_or_else(open)
+                decided(arch, thickness, Wanted::Everything).ok_or_else(open)
             }
         }
     )+};

@@ -8,7 +8,7 @@ use crate::answer;
 use crate::ask::{Spelling, given_thickness};
 use crate::certify::Refused;
 use crate::certify::batch::{SharedOpening, SharedOpenings};
-use crate::certify::state::{Answer as Outcome, Balls, RowAnswer, Tier, answers_in_lanes};
+use crate::certify::state::{Answer as Outcome, Balls, RowAnswer, Tier, Wanted, answers_in_lanes};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
@@ -91,7 +91,7 @@ impl RowQuestion {
         if let Some(eta) = eta {
             let found = match known {
                 Some(RowAnswer::Assessment(found)) => Ok(*found),
-                _ => Balls::DoubleDoubles.assess(arch, eta, digits),
+                _ => Balls::DoubleDoubles.assess(arch, eta, digits, Wanted::of(&self.quantities)),
             };
             return answer::assessment(extent, line, (arch, eta, sizes), digits, &found);
         }

@@ -11,14 +11,6 @@ use crate::problem::{Arch, Quantity};
 use rug::Rational;
 use std::collections::BTreeMap;
 
-/// The values of an arch of a given thickness that need more than its state.
-pub(super) const RANGE_OF_THRUSTS: [Quantity; 4] = [
-    Quantity::RequiredFriction,
-    Quantity::FrictionSafety,
-    Quantity::LeastThrust,
-    Quantity::LargestThrust,
-];
-
 /// An arch and what is asked of it.
 #[derive(Debug)]
 pub struct ArchNode<'s> {
@@ -60,9 +52,7 @@ impl<'s> ArchNode<'s> {
         };
         let new = || (thickness.clone(), Wanted::Standing);
         let asked = self.thicknesses.entry((thickness.to_rational(), digits)).or_insert_with(new);
-        if quantities.iter().any(|quantity| RANGE_OF_THRUSTS.contains(quantity)) {
-            asked.1 = Wanted::Everything;
-        }
+        asked.1 = asked.1.max(Wanted::of(quantities));
     }
 
     /// Digits that are asked, and whether the frictions at which the mode changes are, of a state alone: it shares the

@@ -1,6 +1,6 @@
 //! Parts of the work that a plan leaves out, and why.
 
-use super::arch_node::{ArchNode, RANGE_OF_THRUSTS};
+use super::arch_node::ArchNode;
 use super::curve_node::CurveNode;
 use super::landmark_node::LandmarkNode;
 use super::plan::Plan;
@@ -72,7 +72,7 @@ fn of_arches(nodes: &[&ArchNode]) -> Vec<String> {
         (arches > 0).then(|| format!("{names} of {of}"))
     };
     let frictions = without(frictions, &|node| !node.states.is_empty() && !node.frictions());
-    let ranges = without(RANGE_OF_THRUSTS.to_vec(), &|node| {
+    let ranges = without(Wanted::BY_THRUSTS.to_vec(), &|node| {
         node.thicknesses.values().any(|(_, wanted)| *wanted == Wanted::Standing)
     });
     frictions.into_iter().chain(ranges).collect()

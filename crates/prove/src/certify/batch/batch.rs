@@ -6,7 +6,7 @@ use super::in_lanes;
 use super::opening::{PAYS_FROM, SharedOpening};
 use super::row::{BatchRow, RowValue, RowVerdict};
 use crate::certify::asymmetric_thickness::asymmetric_thicknesses;
-use crate::certify::state::{Answer, Balls, Figure, Tier};
+use crate::certify::state::{Answer, Balls, Figure, Tier, Wanted};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Quantity};
 use crate::prover::Error;
@@ -115,8 +115,9 @@ impl Batch {
 
     /// Row of an arch of a thickness, or of none.
     fn assessment(&self, asked: Result<(Arch, ExactNumber), String>) -> BatchRow {
+        let wanted = Wanted::of(&self.quantities);
         let found = asked.and_then(|(arch, eta)| {
-            let found = Balls::DoubleDoubles.assess(&arch, &eta, self.digits);
+            let found = Balls::DoubleDoubles.assess(&arch, &eta, self.digits, wanted);
             Ok((found.map_err(|refused| refused.to_string())?, arch))
         });
         let (digits, arch) = match found {

@@ -59,16 +59,12 @@ impl BatchColumns {
         }
     }
 
-    /// Puts rows that are columns themselves into some places.
+    /// Puts rows that are columns themselves into some places, which rise.
     pub fn put_all(&mut self, places: &[usize], rows: Self) {
-        for (from, to) in places.iter().enumerate() {
-            self.verdicts[*to] = rows.verdicts[from];
-            self.modes[*to] = rows.modes[from];
-        }
+        put(&mut self.verdicts, places, &rows.verdicts);
+        put(&mut self.modes, places, &rows.modes);
         for (all, columns) in self.values.iter_mut().zip(&rows.values) {
-            for (all, column) in all.iter_mut().zip(columns) {
-                places.iter().zip(column).for_each(|(to, x)| all[*to] = *x);
-            }
+            all.iter_mut().zip(columns).for_each(|(all, column)| put(all, places, column));
         }
         self.reasons.extend(rows.reasons.into_iter().map(|(from, why)| (places[from], why)));
     }
@@ -98,6 +94,16 @@ impl BatchColumns {
         }
         self.verdicts.push(verdict);
         self.modes.push(mode_code(mode));
+    }
+}
+
+/// Puts a column into places that rise: as a whole where they follow each other.
+fn put<T: Copy>(all: &mut [T], places: &[usize], column: &[T]) {
+    match places {
+        [first, .., last] if last - first + 1 == places.len() => {
+            all[*first..=*last].copy_from_slice(column);
+        }
+        _ => places.iter().zip(column).for_each(|(to, x)| all[*to] = *x),
     }
 }
 

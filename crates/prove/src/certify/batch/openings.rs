@@ -5,7 +5,7 @@
 
 use super::opening::{ALONE, SharedOpening};
 use crate::arch::SelfWeight;
-use crate::certify::state::{Answer, AssessmentDigits, Balls};
+use crate::certify::state::{Answer, Balls};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::prover::{Error, Refused};
@@ -65,15 +65,6 @@ impl SharedOpenings {
             Some(opening) => opening.state(arch, self.frictions).map(Cow::into_owned),
             None => self.balls.state(arch, self.digits, self.frictions),
         }
-    }
-
-    /// Assessment of an arch of a thickness, as [`Balls::assess`] finds it.
-    pub fn assess(
-        &self,
-        arch: &Arch,
-        thickness: &ExactNumber,
-    ) -> Result<AssessmentDigits, Refused> {
-        self.balls.assess(arch, thickness, self.digits)
     }
 
     /// Proofs that the half opening of an arch shares, if it does by now.

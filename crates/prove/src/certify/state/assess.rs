@@ -149,12 +149,30 @@ pub type AssessmentDigits = Assessment<Figure>;
 const THRUSTS: [Quantity; 2] = [Quantity::LeastThrust, Quantity::LargestThrust];
 
 /// Question about an arch of a given thickness.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Wanted {
     /// Verdict on whether the arch stands, and how far its thickness is from the least: its state says so.
     Standing,
     /// Also the range of thrusts, and the friction that it asks for.
     Everything,
+}
+
+impl Wanted {
+    /// Quantities that the range of thrusts tells, and the state does not.
+    pub const BY_THRUSTS: [Quantity; 4] = [
+        Quantity::RequiredFriction,
+        Quantity::FrictionSafety,
+        Quantity::LeastThrust,
+        Quantity::LargestThrust,
+    ];
+
+    /// What has to be proved for quantities of an arch with a thickness.
+    pub fn of(quantities: &[Quantity]) -> Self {
+        match quantities.iter().any(|of| Self::BY_THRUSTS.contains(of) || of.is_force()) {
+            true => Self::Everything,
+            false => Self::Standing,
+        }
+    }
 }
 
 /// Proves what holds for an arch with a given thickness in `(0, 2]`, as far as it is wanted, in the numbers of

@@ -25,17 +25,20 @@ impl Balls {
         quick.flatten().map_or_else(mpfr, Ok)
     }
 
-    /// Everything that holds for an arch with a thickness in `(0, 2]`, to `digits` digits.
+    /// What is wanted of an arch with a thickness in `(0, 2]`, to `digits` digits; more where that alone stays open.
     pub fn assess(
         self,
         arch: &Arch,
         thickness: &ExactNumber,
         digits: usize,
+        wanted: Wanted,
     ) -> Result<AssessmentDigits, Refused> {
         Refused::thickness(thickness)?;
-        let quick = (self == Self::DoubleDoubles).then(|| quick::assess(arch, thickness, digits));
-        let wanted = Wanted::Everything;
-        let mpfr = || Inquiry::new(arch, digits, false).assess(thickness, digits, wanted);
+        let quick = || quick::assess(arch, thickness, digits, wanted);
+        let quick = (self == Self::DoubleDoubles).then(quick);
+        // Next to the least thickness friction is another way to tell.
+        let all = Wanted::Everything;
+        let mpfr = || Inquiry::new(arch, digits, false).assess(thickness, digits, all);
         quick.flatten().map_or_else(mpfr, Ok)
     }
 }

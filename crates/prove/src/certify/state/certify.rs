@@ -92,7 +92,7 @@ pub trait Certify: Borrow<Arch> {
         thickness: &ExactNumber,
         digits: usize,
     ) -> Result<AssessmentDigits, Refused> {
-        Balls::DoubleDoubles.assess(self.borrow(), thickness, digits)
+        Balls::DoubleDoubles.assess(self.borrow(), thickness, digits, Wanted::Everything)
     }
 
     /// The state in enclosures, proved with numbers of `bits` bits (and never fewer than 32): 64 are enough for an

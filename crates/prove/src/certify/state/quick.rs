@@ -128,21 +128,23 @@ pub fn steepest_configuration(arch: &Arch, bits: u32) -> Result<Configuration<Ba
 /// Everything that holds for an arch of a given thickness, in `(0, 2]`, in enclosures of `bits` bits.
 pub fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Assessment {
     let to_ball = |x: DoubleDoubleBall| Ok(x.to_ball(bits));
-    let quick = || Some(decided(arch, thickness)?.each(to_ball, |open| open));
-    let proof = || Inquiry::new(arch, 1, false).assessment(thickness, bits, Wanted::Everything);
+    let wanted = Wanted::Everything;
+    let quick = || Some(decided(arch, thickness, wanted)?.each(to_ball, |open| open));
+    let proof = || Inquiry::new(arch, 1, false).assessment(thickness, bits, wanted);
     enclosed(bits, quick, proof)
 }
 
-/// Proves what holds for an arch of a given thickness, if all of it is decided.
+/// Proves what is wanted of an arch of a given thickness, if all of it is decided.
 pub fn decided<E: Arithmetic + Doubles>(
     arch: &Arch,
     thickness: &ExactNumber,
+    wanted: Wanted,
 ) -> Option<Assessment<E>> {
     let state = |is_own, _| match is_own {
         true => quick_outcome(arch, false),
         false => quick_outcome(&arch.unlimited(), false),
     };
-    let found = assessment(arch, thickness, query(arch), Wanted::Everything, state);
+    let found = assessment(arch, thickness, query(arch), wanted, state);
     // More bits may tell a joint from the shoulder next to it.
     let mut touches = found.thrust.iter().flatten().flatten().map(|limit| &limit.touch);
     let is_near = touches.any(|touch| matches!(touch, Touch::AtShoulder));
@@ -150,22 +152,24 @@ pub fn decided<E: Arithmetic + Doubles>(
     (!is_near && !is_open).then_some(found)
 }
 
-/// Proves what holds for an arch of a given thickness, to `digits` digits.
+/// Proves what is wanted of an arch of a given thickness, to `digits` digits.
 pub(super) fn assess(
     arch: &Arch,
     thickness: &ExactNumber,
     digits: usize,
+    wanted: Wanted,
 ) -> Option<AssessmentDigits> {
-    let double_doubles = || assess_in::<DoubleDoubleBall>(arch, thickness, digits);
-    first(digits, double_doubles, || assess_in::<TripleWordBall>(arch, thickness, digits))
+    let double_doubles = || assess_in::<DoubleDoubleBall>(arch, thickness, digits, wanted);
+    first(digits, double_doubles, || assess_in::<TripleWordBall>(arch, thickness, digits, wanted))
 }
 
 fn assess_in<E: Arithmetic + Doubles + Figured>(
     arch: &Arch,
     thickness: &ExactNumber,
     digits: usize,
+    wanted: Wanted,
 ) -> Option<AssessmentDigits> {
-    let found = decided::<E>(arch, thickness)?.rounded(digits, E::BITS);
+    let found = decided::<E>(arch, thickness, wanted)?.rounded(digits, E::BITS);
     found.first_open().is_none().then_some(found)
 }
 
@@ -303,14 +307,20 @@ mod tests {
             let Rounded { lower, upper, .. } = state.thickness.decimal;
             for (thickness, stands) in [(lower, false), (upper, true)] {
                 let thickness = thickness.to_string().parse().unwrap();
-                assert!(assess(&arch, &thickness, 10).is_none(), "{arch}");
+                assert!(assess(&arch, &thickness, 10, Wanted::Everything).is_none(), "{arch}");
                 let found = arch.certify_thickness(&thickness, 10).unwrap();
                 assert_eq!(found.stands.ok(), Some(stands), "{arch} {thickness}");
             }
             let thickness = "1.5".parse().unwrap();
-            assert!(assess(&arch, &thickness, 10).is_some(), "not the thickness: {arch}");
-            assert!(assess(&arch, &thickness, 30).is_some(), "{arch}");
-            assert!(assess(&arch, &thickness, 37).is_none(), "more digits than they have");
+            assert!(
+                assess(&arch, &thickness, 10, Wanted::Everything).is_some(),
+                "not the thickness: {arch}"
+            );
+            assert!(assess(&arch, &thickness, 30, Wanted::Everything).is_some(), "{arch}");
+            assert!(
+                assess(&arch, &thickness, 37, Wanted::Everything).is_none(),
+                "more digits than they have"
+            );
         }
     }
 
@@ -322,9 +332,12 @@ mod tests {
         for (place, (arch, digits)) in mix(ARCHES).enumerate() {
             let part = (place + 1) as f64 * 0.381_966_011_250_105;
             let thickness = format!("{:.12}", 0.02 + 1.5 * part.fract().powi(3)).parse().unwrap();
-            let Some(found) = assess(&arch, &thickness, digits) else { continue };
+            let Some(found) = assess(&arch, &thickness, digits, Wanted::Everything) else {
+                continue;
+            };
             decided += 1;
-            let by_mpfr = Balls::Mpfr.assess(&arch, &thickness, digits).unwrap();
+            let by_mpfr =
+                Balls::Mpfr.assess(&arch, &thickness, digits, Wanted::Everything).unwrap();
             assert_eq!((&found.stands, found.fall), (&by_mpfr.stands, by_mpfr.fall), "{arch}");
             assert_eq!(found.figures().count(), by_mpfr.figures().count(), "{arch} {thickness}");
             for ((of, x), (_, y)) in found.figures().zip(by_mpfr.figures()) {
