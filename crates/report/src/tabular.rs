@@ -105,6 +105,20 @@ impl Lines {
         self.csv.write_field(printable(&text, |c| c.escape_debug().to_string()).as_bytes())
     }
 
+    /// Adds what columns find in a row, or an empty cell for each.
+    pub(super) fn found<'a, R: 'a>(
+        &mut self,
+        mut columns: impl Iterator<Item = &'a NamedColumn<R>>,
+        row: Option<&R>,
+    ) -> csv::Result<()> {
+        let mut text = String::new();
+        columns.try_for_each(|(_, column)| {
+            text.clear();
+            row.into_iter().for_each(|row| column.write(row, &mut text));
+            self.cell(&text)
+        })
+    }
+
     /// Ends a line.
     pub(super) fn end(&mut self) -> csv::Result<()> {
         self.csv.write_record(None::<&[u8]>)

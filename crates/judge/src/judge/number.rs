@@ -44,6 +44,16 @@ pub enum Certified {
     Missing,
 }
 
+impl Certified {
+    /// The value, where it is finite.
+    pub fn rounded(&self) -> Option<&Rounded> {
+        match self {
+            Self::Finite(rounded) => Some(rounded),
+            Self::Infinite | Self::Missing => None,
+        }
+    }
+}
+
 /// Distance of a claim from the truth: each correctly rounded to three digits.
 #[derive(Clone, Debug)]
 pub struct Errors {

@@ -1,25 +1,31 @@
 //! Every row with its verdict, as CSV.
 
-use super::row::{JudgedRow, NUMBER, ROW, number};
-use crate::columns::{kept_cells, kept_names};
+use super::row::{JudgedRow, NUMBER};
+use crate::column::NamedColumn;
+use crate::columns::{kept_cell, kept_names};
 use crate::csv::line;
+use crate::judge::Judged;
 use crate::problem::Quantity;
+use crate::tabular::Separated;
 use std::io;
 
-/// Bounds have no columns, and the value has the name of its quantity.
-fn column(quantity: Quantity, field: &str) -> Option<String> {
+/// The columns of a number: bounds have none.
+fn numbers() -> impl Iterator<Item = &'static NamedColumn<Judged>> {
+    NUMBER.iter().filter(|(field, _)| !["lower", "upper"].contains(field))
+}
+
+/// The name of a column of a number: the value has that of its quantity.
+fn column(quantity: Quantity, field: &str) -> String {
     match field {
-        "lower" | "upper" => None,
-        "value" => Some(quantity.name().to_owned()),
-        field => Some(format!("{}_{field}", quantity.name())),
+        "value" => quantity.name().to_owned(),
+        field => format!("{}_{field}", quantity.name()),
     }
 }
 
 /// The header, with the columns of some quantities, and with what is handed on before them.
 pub(super) fn header(quantities: &[Quantity], kept: &[String]) -> io::Result<Vec<u8>> {
-    let columns =
-        |&quantity: &Quantity| NUMBER.split(' ').filter_map(move |field| column(quantity, field));
-    let row = ROW.split(' ').map(str::to_owned);
+    let columns = |&of: &Quantity| numbers().map(move |(field, _)| column(of, field));
+    let row = JudgedRow::COLUMNS.iter().map(|(name, _)| (*name).to_owned());
     let own: Vec<String> = row.chain(quantities.iter().flat_map(columns)).collect();
     line([kept_names(kept, &own), own].concat())
 }
@@ -30,12 +36,12 @@ pub(super) fn row(
     quantities: &[Quantity],
     kept: &[String],
 ) -> io::Result<Vec<u8>> {
-    let mut record: Vec<String> = kept_cells(kept, &row.kept).collect();
-    record.extend(row.fields().texts());
-    for &quantity in quantities {
-        let texts = row.number(quantity).map(number).unwrap_or_default();
-        let fields = NUMBER.split(' ').filter(|field| column(quantity, field).is_some());
-        record.extend(fields.map(|field| texts.text(field)));
-    }
-    line(record)
+    Separated::Comma.lines(|lines| {
+        kept.iter().try_for_each(|name| lines.cell(kept_cell(&row.kept, name)))?;
+        lines.found(JudgedRow::COLUMNS.iter(), Some(row))?;
+        for &quantity in quantities {
+            lines.found(numbers(), row.number(quantity))?;
+        }
+        lines.end()
+    })
 }

@@ -1,11 +1,11 @@
 //! `couplet.judged/2`, one row; `couplet.judge/2`, all of them.
 
-use super::row::{JudgedRow, digits, number};
+use super::row::{JudgedRow, NUMBER, digits};
 use super::summary::{JudgeSummary, QuantitySummary};
 use crate::arch::SelfWeight;
 use crate::columns::kept_fields;
 use crate::json;
-use crate::judge::{CorrectDigits, Verdict};
+use crate::judge::{CorrectDigits, Judged, Verdict};
 use crate::record::Record;
 use std::collections::BTreeMap;
 use std::io;
@@ -16,8 +16,13 @@ fn entry(row: &JudgedRow) -> Record {
     if !row.kept.is_empty() {
         fields.add_record("kept", Some(kept_fields(&row.kept)));
     }
-    fields.append(row.fields());
-    let numbers = row.numbers().iter().map(|judged| (judged.quantity.name(), number(judged)));
+    JudgedRow::COLUMNS.iter().for_each(|(name, column)| fields.add_found(name, column, row));
+    let number = |judged: &Judged| {
+        let mut fields = Record::default();
+        NUMBER.iter().for_each(|(name, column)| fields.add_found(name, column, judged));
+        (judged.quantity.name(), fields)
+    };
+    let numbers = row.numbers().iter().map(number);
     fields.add_sorted("numbers", numbers);
     fields
 }

@@ -1,12 +1,14 @@
 //! A judged row, and what every format writes of it.
 
 use crate::Kept;
-use crate::judge::{Certified, CorrectDigits, ErrorSide, Judged, Judgement, Standing, Verdict};
-use crate::number::Decimal;
+use crate::column::Column::{Integer, Made, Shown, Text, Truth};
+use crate::column::NamedColumn;
+use crate::judge::{
+    Boundary, Certified, CorrectDigits, ErrorSide, Judged, Judgement, Standing, Verdict,
+};
 use crate::problem::Quantity;
-use crate::record::Record;
 use crate::words::reason;
-use serde_json::Value as Json;
+use std::fmt::Display;
 
 /// A row of results, judged or not.
 #[derive(Clone, Debug)]
@@ -34,15 +36,6 @@ pub struct JudgedRow {
     /// The judgement, or why the row cannot be read.
     pub outcome: Result<Judgement, String>,
 }
-
-/// The fields of a row, before those of its numbers.
-pub(super) const ROW: &str = "line weight half_opening friction thickness verdict accepted correct_digits \
-    claimed_can_stand can_stand claimed_stands stands claimed_mode mode boundary \
-    boundary_within side reason note";
-
-/// The fields of a number.
-pub(super) const NUMBER: &str = "claimed value lower upper error relative_error error_units error_ulp correct_digits \
-    rounding nearest_double";
 
 impl Default for JudgedRow {
     /// Row of which nothing is read yet.
@@ -117,36 +110,39 @@ impl JudgedRow {
         }
     }
 
-    /// The fields [`ROW`].
-    pub(crate) fn fields(&self) -> Record {
-        let verdict = self.verdict();
-        let side = self.judgement().and_then(|judgement| judgement.side()).map(|side| match side {
+    /// The columns of a row, before those of its numbers.
+    pub(super) const COLUMNS: [NamedColumn<Self>; 19] = [
+        ("line", Integer(|row| Some(row.line))),
+        ("weight", Text(|row| Some(&row.weight))),
+        ("half_opening", Text(|row| Some(&row.half_opening))),
+        ("friction", Text(|row| Some(&row.friction))),
+        ("thickness", Text(|row| row.thickness.as_deref())),
+        ("verdict", Text(|row| Some(row.verdict().name()))),
+        ("accepted", Truth(|row| Some(row.verdict().is_accepted()))),
+        ("correct_digits", Made(|row| row.correct_digits().map(digits))),
+        ("claimed_can_stand", Truth(|row| row.claimed_can_stand)),
+        ("can_stand", Truth(Self::can_stand)),
+        ("claimed_stands", Truth(|row| row.claimed_stands)),
+        ("stands", Truth(|row| row.judgement()?.stands)),
+        ("claimed_mode", Text(|row| row.claimed_mode)),
+        ("mode", Made(Self::modes)),
+        ("boundary", Text(|row| Some(row.boundary()?.quantity.name()))),
+        ("boundary_within", Shown(|row| Some(&row.boundary()?.within))),
+        ("side", Text(Self::side)),
+        ("reason", Text(Self::reason)),
+        ("note", Text(|row| row.note.as_deref())),
+    ];
+
+    fn boundary(&self) -> Option<&Boundary> {
+        self.judgement()?.boundary.as_ref()
+    }
+
+    /// The side of the least thickness on which the claim errs.
+    fn side(&self) -> Option<&'static str> {
+        Some(match self.judgement()?.side()? {
             ErrorSide::Thinner => "thinner",
             ErrorSide::Thicker => "thicker",
-        });
-        let boundary = self.judgement().and_then(|judgement| judgement.boundary.as_ref());
-        let values: [Json; 19] = [
-            self.line.into(),
-            self.weight.as_str().into(),
-            self.half_opening.as_str().into(),
-            self.friction.as_str().into(),
-            self.thickness.as_deref().into(),
-            verdict.name().into(),
-            verdict.is_accepted().into(),
-            self.correct_digits().map(digits).into(),
-            self.claimed_can_stand.into(),
-            self.can_stand().into(),
-            self.claimed_stands.into(),
-            self.judgement().and_then(|judgement| judgement.stands).into(),
-            self.claimed_mode.into(),
-            self.modes().into(),
-            boundary.map(|boundary| boundary.quantity.name()).into(),
-            boundary.map(|boundary| boundary.within.to_string()).into(),
-            side.into(),
-            self.reason().into(),
-            self.note.as_deref().into(),
-        ];
-        Record::named(ROW, values)
+        })
     }
 
     /// The number of a quantity, if it is judged.
@@ -155,29 +151,20 @@ impl JudgedRow {
     }
 }
 
-/// The fields [`NUMBER`]; bounds are rounded outward, errors correctly rounded.
-pub(super) fn number(number: &Judged) -> Record {
-    let text = |x: Option<&Decimal>| -> Json { x.map(ToString::to_string).into() };
-    let errors = number.errors.as_ref();
-    let bounds = match &number.certified {
-        Certified::Finite(rounded) => Some(rounded),
-        Certified::Infinite | Certified::Missing => None,
-    };
-    let values: [Json; 11] = [
-        number.claimed.as_str().into(),
-        certified(&number.certified).into(),
-        text(bounds.map(|rounded| &rounded.lower)),
-        text(bounds.map(|rounded| &rounded.upper)),
-        text(errors.map(|errors| &errors.absolute)),
-        text(errors.and_then(|errors| errors.relative.as_ref())),
-        text(errors.map(|errors| &errors.units)),
-        text(errors.and_then(|errors| errors.ulp.as_ref())),
-        digits(number.correct_digits).into(),
-        number.rounding.map(|rounding| rounding.name()).into(),
-        number.is_nearest_double.into(),
-    ];
-    Record::named(NUMBER, values)
-}
+/// The columns of a number; bounds are rounded outward, errors correctly rounded.
+pub(super) const NUMBER: [NamedColumn<Judged>; 11] = [
+    ("claimed", Text(|number| Some(&number.claimed))),
+    ("value", Shown(|number| Some(certified(&number.certified)))),
+    ("lower", Shown(|number| Some(&number.certified.rounded()?.lower))),
+    ("upper", Shown(|number| Some(&number.certified.rounded()?.upper))),
+    ("error", Shown(|number| Some(&number.errors.as_ref()?.absolute))),
+    ("relative_error", Shown(|number| Some(number.errors.as_ref()?.relative.as_ref()?))),
+    ("error_units", Shown(|number| Some(&number.errors.as_ref()?.units))),
+    ("error_ulp", Shown(|number| Some(number.errors.as_ref()?.ulp.as_ref()?))),
+    ("correct_digits", Made(|number| Some(digits(number.correct_digits)))),
+    ("rounding", Text(|number| Some(number.rounding?.name()))),
+    ("nearest_double", Truth(|number| number.is_nearest_double)),
+];
 
 /// A number of digits, or `inf` for a number that is exactly the truth.
 pub(super) fn digits(correct: CorrectDigits) -> String {
@@ -187,11 +174,11 @@ pub(super) fn digits(correct: CorrectDigits) -> String {
     }
 }
 
-/// The text of a certified value.
-pub(super) fn certified(value: &Certified) -> String {
+/// The certified value, or the word for none.
+pub(super) fn certified(value: &Certified) -> &dyn Display {
     match value {
-        Certified::Finite(rounded) => rounded.value.to_string(),
-        Certified::Infinite => "inf".to_owned(),
-        Certified::Missing => "none".to_owned(),
+        Certified::Finite(rounded) => &rounded.value,
+        Certified::Infinite => &"inf",
+        Certified::Missing => &"none",
     }
 }

@@ -152,7 +152,7 @@ fn number_text(number: &Judged) -> String {
         "{} {}, certified {}",
         number.quantity.name(),
         shortened(&number.claimed),
-        shortened(&certified(&number.certified))
+        shortened(&certified(&number.certified).to_string())
     );
     if let Some(errors) = &number.errors {
         let relative = match &errors.relative {
