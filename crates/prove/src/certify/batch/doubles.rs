@@ -380,6 +380,33 @@ mod tests {
         }
     }
 
+    /// Next to the least thickness, too, the verdict and the safety are what they are beside the thrusts.
+    #[test]
+    fn no_value_depends_on_what_else_is_asked() {
+        let units = UNITS[0];
+        for (weight, (half_openings, frictions)) in
+            [(SelfWeight::Heyman, spread(2_000, 3)), (SelfWeight::Milankovitch, wide(1_000, 3))]
+        {
+            let (half_openings, frictions) = (&half_openings[..], &frictions[..]);
+            let least = DoubleArches { weight, half_openings, frictions, thicknesses: None, units };
+            let etas = thicknesses(&least, 3);
+            let arches = DoubleArches { thicknesses: Some(&etas), ..least };
+            let rows: Vec<usize> = (0..arches.count()).collect();
+            let alone = |quantities: &[Quantity]| {
+                let mut found = BatchColumns::open(rows.len(), OF_STANDING.len());
+                let batch = arches.batch(quantities).unwrap();
+                for (row, of) in batch.one_by_one(&rows, &arches, Threads::One) {
+                    found.put(row, &of);
+                }
+                found
+            };
+            let [few, all] = [alone(&OF_STANDING), alone(&Quantity::ASSESSMENT)];
+            assert_eq!(bits(&few), bits(&all));
+            let told = few.verdicts.iter().filter(|of| **of == RowVerdict::Stands).count();
+            assert!(told > rows.len() / 4, "{told}");
+        }
+    }
+
     /// `cargo test --release -p couplet-prove --lib ten_million -- --ignored --nocapture`
     #[test]
     #[ignore = "a quarter of an hour with optimisation"]
