@@ -4,6 +4,7 @@ use super::given_rows::source;
 use super::output::{OutputFile, is_written};
 use super::stream::{CHUNK, Chunk, Progress, each_alone, in_order};
 use crate::arch::SelfWeight;
+use crate::cli::line::say;
 use crate::judge::{Demand, Verdict};
 use crate::problem::Quantity;
 use crate::report::judged::{JudgeSummary, JudgedAssemblies, JudgedLines, verdicts};
@@ -16,7 +17,7 @@ use crate::sweep::rows::{
     Syntax,
 };
 use clap::Args;
-use std::io::{self, Write};
+use std::io;
 use std::path::PathBuf;
 
 /// Judge somebody else's results, row by row.
@@ -209,9 +210,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Ok(());
     }
     if each.is_some() {
-        let lines = verdicts(&summary).join("\n");
-        // Standard error may be closed.
-        let _ = writeln!(io::stderr(), "{lines}");
+        verdicts(&summary).iter().for_each(|text| say(text));
     }
     verdict(&summary)
 }

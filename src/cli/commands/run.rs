@@ -143,7 +143,6 @@ fn explain_costs(plan: &Plan, run: &SceneRun) -> Result<(), Failure> {
     let mut tree = Vec::new();
     let written = explain(plan, Some(run.costs()), &mut tree);
     written.map_err(|error| Failure::Io(error.to_string()))?;
-    // A reader of it may be gone.
-    let _ = io::stderr().write_all(&tree);
+    String::from_utf8_lossy(&tree).lines().for_each(say);
     Ok(())
 }

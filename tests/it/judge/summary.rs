@@ -28,6 +28,20 @@ fn a_file_without_end_is_judged_as_it_comes() {
     assert_eq!((output.status.code(), message.as_str()), (Some(0), ""));
 }
 
+/// The verdicts beside the rows are said to who runs the command within itself, as to standard error.
+#[test]
+fn who_runs_it_hears_the_verdicts() {
+    let scratch = Scratch::new();
+    scratch.write("in.csv", "half_opening,friction,thickness\n1,0.5,0.0211\npi/2,0.38,0.9\n");
+    let line = format!("judge {} --weight heyman --accept 3 --format csv", scratch.path("in.csv"));
+    let output = couplet(line.as_str());
+    let (code, heard) = couplet::cli::heard(line.split(' ').map(Into::into).collect());
+    assert_eq!(output.status.code(), Some(code.into()));
+    assert_eq!(heard.written, output.stdout);
+    assert!(heard.said.len() > 2, "{heard:?}");
+    assert_eq!(heard.said.join("\n") + "\n", text(&output.stderr));
+}
+
 #[test]
 fn a_summary_keeps_the_worst_and_counts_all() {
     let mut input = String::from("half_opening,friction,thickness\n");

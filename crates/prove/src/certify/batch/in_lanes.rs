@@ -10,8 +10,8 @@ use crate::certify::state::{LaneFound, LaneWants, each_in_lanes};
 use crate::number::{Binary, DoubleDoubleBall};
 use crate::problem::{Mode, Quantity};
 
-/// Rows that are one piece of work: few enough that what it takes stays near the processor, and is not given back to the
-/// system after each.
+/// Rows that are one piece of work: few enough that what it takes stays near the processor, and that less is given back
+/// to the system after each.
 const PIECE: usize = 512;
 
 /// Rows of a batch by columns, some with their places at a time; none of which not all that is asked is proved.

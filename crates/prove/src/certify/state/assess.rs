@@ -166,7 +166,7 @@ impl Wanted {
         Quantity::LargestThrust,
     ];
 
-    /// What has to be proved for quantities of an arch with a thickness.
+    /// Answers that quantities of an arch with a thickness need.
     pub fn of(quantities: &[Quantity]) -> Self {
         match quantities.iter().any(|of| Self::BY_THRUSTS.contains(of) || of.is_force()) {
             true => Self::Everything,

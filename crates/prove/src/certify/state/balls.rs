@@ -25,7 +25,8 @@ impl Balls {
         quick.flatten().map_or_else(mpfr, Ok)
     }
 
-    /// What is wanted of an arch with a thickness in `(0, 2]`, to `digits` digits; more where that alone stays open.
+    /// Answers that are wanted of an arch with a thickness in `(0, 2]`, to `digits` digits; more where these alone stay
+    /// open.
     pub fn assess(
         self,
         arch: &Arch,
