@@ -14,9 +14,8 @@ CERTIFICATES := proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*
 SKIPPED := $(CURDIR)/target/skipped
 
 # No path of this machine stands in a program that is handed on. That of Linux has no tables for what unwinds, as a panic ends it.
-REMAPPED := --remap-path-prefix=$(CURDIR)=/couplet --remap-path-prefix=$(or $(CARGO_HOME),$(HOME)/.cargo)=/cargo
-library: export RUSTFLAGS := $(REMAPPED)
-release: export RUSTFLAGS := $(REMAPPED) $(if $(TOGETHER),,$(and $(filter Linux,$(shell uname -s)),-C force-unwind-tables=no))
+release library: export RUSTFLAGS = --remap-path-prefix=$(CURDIR)=/couplet --remap-path-prefix=$(or $(CARGO_HOME),$(HOME)/.cargo)=/cargo \
+  $(if $(TOGETHER)$(filter library,$@),,$(and $(filter Linux,$(shell uname -s)),-C force-unwind-tables=no))
 
 # $(call need,TEST,PACKAGES,WHY): if the test fails, says so and installs Debian packages as root, and names them otherwise.
 # An installation that was cut off before is finished first: apt-get refuses to work next to one.

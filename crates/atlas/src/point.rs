@@ -36,8 +36,6 @@ pub enum NoPoint {
 says!(NoPoint {
     Self::Outside { name, parameter, low, high } =>
         "{name} {parameter} is not on the curve, where it is between {low:.6} and {high:.6}";
-    Self::Refused(error) => "{error}";
-    Self::Undecided(error) => "{error}";
 } from {
     Refused => Self::Refused;
     Undecided => Self::Undecided;

@@ -4,7 +4,7 @@ use super::answer::{
     ENCLOSED_DIGITS, EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch,
 };
 use crate::certify::state::{
-    Answer, AssessmentDigits, Balls, Figure, Limit, Wanted, least_in_metres,
+    Answer, AssessmentDigits, Balls, Certify, Figure, Limit, least_in_metres,
 };
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
@@ -41,15 +41,11 @@ enum Told {
 impl Corner {
     pub(super) fn new(side: Side, at: SurveyedArch, digits: usize) -> Result<Self, Refused> {
         Refused::digits(digits)?;
-        let balls = Balls::DoubleDoubles;
         let found = match &at.thickness {
-            None => CornerAnswer::State(balls.state(&at.arch, digits, false)),
-            Some(eta) => CornerAnswer::Assessment(Box::new(balls.assess(
-                &at.arch,
-                eta,
-                digits,
-                Wanted::Everything,
-            )?)),
+            None => CornerAnswer::State(Balls::DoubleDoubles.state(&at.arch, digits, false)),
+            Some(eta) => {
+                CornerAnswer::Assessment(Box::new(at.arch.certify_thickness(eta, digits)?))
+            }
         };
         Ok(Self { side, at, found, metres: Ok(None) })
     }
@@ -274,7 +270,7 @@ pub(super) fn enclosed_thrusts(
     eta: &ExactNumber,
     digits: usize,
 ) -> Option<[(EndValue, EndValue); 2]> {
-    let found = Balls::DoubleDoubles.assess(arch, eta, digits, Wanted::Everything).ok()?;
+    let found = arch.certify_thickness(eta, digits).ok()?;
     let [least, largest] = found.limits();
     let both = |limit: &Limit<Figure>| match &limit.thrust {
         None => (EndValue::Unbounded, EndValue::Unbounded),

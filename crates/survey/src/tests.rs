@@ -2,7 +2,7 @@
 
 use super::{EndValue, QuantityRange, SurveyAnswer, SurveyVerdict, survey};
 use crate::arch::SelfWeight;
-use crate::certify::state::{Answer, Balls, Wanted};
+use crate::certify::state::{Answer, Balls, Certify};
 use crate::number::{ExactNumber, test_config::config};
 use crate::problem::measures::{Circle, Length, Measures, of_span_and_rise};
 use crate::problem::survey::{Shape, Survey};
@@ -59,7 +59,7 @@ fn lies_in(range: &QuantityRange, value: Option<&Rational>) -> bool {
 
 /// Checks that an arch contradicts nothing that is said of all.
 fn agrees(found: &SurveyAnswer, arch: &Arch, eta: &ExactNumber) -> Result<(), TestCaseError> {
-    let own = Balls::DoubleDoubles.assess(arch, eta, 12, Wanted::Everything).unwrap();
+    let own = arch.certify_thickness(eta, 12).unwrap();
     if let (Some(Ok(verdict)), Ok(stands)) = (&found.verdict, &own.stands) {
         let contradicts = match verdict {
             SurveyVerdict::AllStand => !stands,
@@ -102,8 +102,7 @@ fn ends_are_attained(found: &SurveyAnswer) -> Result<(), TestCaseError> {
         for (end, up) in [(&range.lower, false), (&range.upper, true)] {
             let (Some(at), EndValue::Number(bound)) = (&end.at, &end.value) else { continue };
             let Some(eta) = &at.thickness else { continue };
-            let own =
-                Balls::DoubleDoubles.assess(&at.arch, eta, DIGITS, Wanted::Everything).unwrap();
+            let own = at.arch.certify_thickness(eta, DIGITS).unwrap();
             let Some(value) = own.get(range.of) else { continue };
             let rounded = if up { &value.decimal.upper } else { &value.decimal.lower };
             prop_assert_eq!(rounded.to_rational(), bound.to_rational(), "{:?} at {:?}", range, at);

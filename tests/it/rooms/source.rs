@@ -68,15 +68,13 @@ pub(super) fn bare(text: &str) -> String {
     without_tests(&without_words(text))
 }
 
-/// Without comments, and with empty quotes.
+/// Without comments, of which none is in a block, and with empty quotes.
 fn without_words(text: &str) -> String {
     let (mut code, mut rest) = (String::new(), text);
     while let Some(c) = rest.chars().next() {
         let in_name = code.ends_with(|c: char| c.is_alphanumeric() || c == '_');
         let (kept, length) = if rest.starts_with("//") {
             ("", rest.find('\n').unwrap_or(rest.len()))
-        } else if rest.starts_with("/*") {
-            ("", block_comment(rest))
         } else if let Some(length) = raw_string(rest).filter(|_| !in_name) {
             ("\"\"", length)
         } else if c == '"' {
@@ -90,23 +88,6 @@ fn without_words(text: &str) -> String {
         rest = &rest[length..];
     }
     code
-}
-
-/// The length of a comment, with those in it.
-fn block_comment(text: &str) -> usize {
-    let (mut depth, mut at) = (0, 0);
-    while at < text.len() {
-        let (step, change) = match &text.as_bytes()[at..] {
-            [b'/', b'*', ..] => (2, 1),
-            [b'*', b'/', ..] => (2, -1),
-            _ => (1, 0),
-        };
-        (at, depth) = (at + step, depth + change);
-        if depth == 0 {
-            break;
-        }
-    }
-    at
 }
 
 /// The length of `r"…"` or `r#"…"#`, if the text begins with one.
@@ -173,9 +154,9 @@ pub(super) fn tokens(code: &str) -> Vec<&str> {
 
 #[test]
 fn words_and_tests_are_no_code() {
-    let text = "fn a<'b>() { // it's\n \"a \\\" {\" /* /* */ } */ r#\"{\"}\"# '\"' '\\'' }\n\
+    let text = "fn a<'b>() { // it's\n \"a \\\" {\" r#\"{\"}\"# '\"' '\\'' }\n\
                 #[cfg(test)]\nmod tests { fn c() { \"}\" } }\n\
                 #[cfg(all(test, feature = \"x\"))]\nuse d;\nfn e() {}";
-    assert_eq!(bare(text), "fn a<'b>() { \n \"\"  \"\" ' ' ' ' }\n\n\nfn e() {}");
+    assert_eq!(bare(text), "fn a<'b>() { \n \"\" \"\" ' ' ' ' }\n\n\nfn e() {}");
     assert_eq!(tokens("a::b -> &'c D<e>"), ["a", "::", "b", "->", "&", "'c", "D", "<", "e", ">"]);
 }

@@ -37,7 +37,6 @@ pub enum NoBranch {
 
 says!(NoBranch {
     Self::Nowhere(why) => "{why}";
-    Self::Undecided(error) => "{error}";
 } from {
     Undecided => Self::Undecided;
 });

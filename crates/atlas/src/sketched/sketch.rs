@@ -88,8 +88,6 @@ pub enum NoSketch {
 }
 
 says!(NoSketch {
-    Self::Refused(error) => "{error}";
-    Self::Undecided(error) => "{error}";
     Self::NoRoom =>
         "no line of thrust fits into an arch of this thickness that slides only: it has to be thicker";
     Self::AnyThickness(stones) =>

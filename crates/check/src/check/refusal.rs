@@ -113,7 +113,6 @@ says!(Refusal {
     Self::NoValues => "values: there are none";
     Self::Decimal(quantity) => "values: {quantity} is not a decimal number with at most the claimed digits";
     Self::Rounding(quantity) => "values: {quantity} is not shown to be the correct rounding";
-    Self::Survey(refusal) => "{refusal}";
     Self::Part(part, refusal) => "part {part}: {refusal}";
 } from {
     SurveyRefusal => Self::Survey;

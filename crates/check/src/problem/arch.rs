@@ -64,7 +64,6 @@ says!(ArchError {
     Self::FrictionAngle(angle) =>
         "the friction angle {angle} is not between 0 and pi/2 (90deg){}", meant_friction_angle(angle);
     Self::SelfWeight(name) => "'{name}' is not a self-weight model: heyman or milankovitch";
-    Self::Number(error) => "{error}";
 } from {
     ParseExactError => Self::Number;
 });

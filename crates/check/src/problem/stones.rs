@@ -50,7 +50,6 @@ says!(StonesError {
         "{angles} angles are too few: give those of two joints or more, from the crown to the shoulder";
     Self::Order(first, second) =>
         "the joints do not rise from {first} to {second}: give their angles from the crown to the shoulder";
-    Self::HalfOpening(error) => "{error}";
     Self::Crown(joint) =>
         "the joint {joint} is above the crown: the first angle is 0, or that of the keystone's joint";
 } from {

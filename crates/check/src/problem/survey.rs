@@ -123,9 +123,7 @@ pub enum SurveyError {
 says!(SurveyError {
     Self::Reversed(first, last) => "the range {first}..{last} is empty: give the lower end first";
     Self::Open(first, last) => "which of {first} and {last} is larger stays open";
-    Self::Arch(error) => "{error}";
     Self::Thickness(text) => "the thickness {text} is not between 0 and 2";
-    Self::Measures(error) => "{error}";
 } from {
     ArchError => Self::Arch;
     MeasureError => Self::Measures;

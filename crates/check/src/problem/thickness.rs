@@ -41,8 +41,6 @@ says!(ThicknessError {
     Self::Irrational(text) => "the thickness {text} is no ratio of thickness to radius (0.12, 3/25)";
     Self::Outside(text) => "the thickness {text} is not between 0 and 2";
     Self::Point(text) => "at the thickness {text} the intrados is a point, and has no radius to measure";
-    Self::Measures(error) => "{error}";
-    Self::Number(error) => "{error}";
 } from {
     MeasureError => Self::Measures;
     ParseExactError => Self::Number;

@@ -21,11 +21,13 @@ pub enum CertificateError {
     Refused(Refusal),
 }
 
-says!(CertificateError {
-    Self::Refused(why) => "refused: {why}";
-} from {
-    Refusal => Self::Refused;
-});
+says!(CertificateError { Self::Refused(why) => "refused: {why}"; });
+
+impl From<Refusal> for CertificateError {
+    fn from(why: Refusal) -> Self {
+        Self::Refused(why)
+    }
+}
 
 /// The file of a certificate, name and content, after a check of it.
 ///

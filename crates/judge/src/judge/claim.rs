@@ -83,7 +83,6 @@ says!(ClaimError {
         "the {name} '{text}' is not a decimal number, nor empty, nan, inf, none or falls";
     Self::Range(name, text) =>
         "the {name} '{text}' is out of range: at most {MAX_DIGITS} digits, from 1e-{MAX_SIZE} to 1e{MAX_SIZE}";
-    Self::Thickness(error) => "{error}";
     Self::Contradiction(one, other) =>
         "the {one} says that the arch stands, the {other} that it falls";
 } from {

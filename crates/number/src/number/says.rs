@@ -5,21 +5,23 @@
 /// ```text
 /// says!(LengthError {
 ///     Self::Unit(text) => "'{text}' has no unit";
-///     Self::Number(error) => "{error}";
 /// } from {
 ///     ParseExactError => Self::Number;
 /// });
 /// ```
 ///
-/// What stands behind `from` becomes this error in that variant.
+/// What stands behind `from` becomes this error in that variant, and says what it said.
 #[macro_export]
 macro_rules! says {
     ($error:ty {
-        $($variant:pat => $text:literal $(, $more:expr)*;)+
+        $($variant:pat => $text:literal $(, $more:expr)*;)*
     } $(from { $($inner:ty => $make:path;)+ })?) => {
         impl std::fmt::Display for $error {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                match self { $($variant => write!(f, $text $(, $more)*),)+ }
+                match self {
+                    $($variant => write!(f, $text $(, $more)*),)*
+                    $($($make(error) => write!(f, "{error}"),)+)?
+                }
             }
         }
 

@@ -29,8 +29,6 @@ pub enum Error {
 }
 
 says!(Error {
-    Self::Refused(error) => "{error}";
-    Self::Undecided(error) => "{error}";
 } from {
     Refused => Self::Refused;
     Undecided => Self::Undecided;

@@ -109,9 +109,6 @@ says!(Refused {
     Self::Digits { most, .. } => "digits are a whole number from 1 to {most}";
     Self::NoSuchQuantity { quantity, possible } =>
         "there is no {} here; the quantities are {}", quantity.name(), names(possible);
-    Self::Thickness(error) => "{error}";
-    Self::Arch(error) => "{error}";
-    Self::Stones(error) => "{error}";
     Self::StoneCount { asked, most } => "{asked} is no number of stones here: give one from 2 to {most}";
     Self::NoEnd { line, at } =>
         "the line {line} does not end at {}, but at {}", at.symbol(), ends(line);

@@ -14,17 +14,16 @@ fn numbers() -> impl Iterator<Item = &'static NamedColumn<Judged>> {
     NUMBER.iter().filter(|(field, _)| !["lower", "upper"].contains(field))
 }
 
-/// The name of a column of a number: the value has that of its quantity.
-fn column(quantity: Quantity, field: &str) -> String {
-    match field {
-        "value" => quantity.name().to_owned(),
-        field => format!("{}_{field}", quantity.name()),
-    }
-}
-
 /// The header, with the columns of some quantities, and with what is handed on before them.
 pub(super) fn header(quantities: &[Quantity], kept: &[String]) -> io::Result<Vec<u8>> {
-    let columns = |&of: &Quantity| numbers().map(move |(field, _)| column(of, field));
+    let columns = |of: &Quantity| {
+        let name = of.name();
+        // The value has the name of its quantity.
+        numbers().map(move |(of, _)| match *of {
+            "value" => name.to_owned(),
+            field => format!("{name}_{field}"),
+        })
+    };
     let row = JudgedRow::COLUMNS.iter().map(|(name, _)| (*name).to_owned());
     let own: Vec<String> = row.chain(quantities.iter().flat_map(columns)).collect();
     line([kept_names(kept, &own), own].concat())

@@ -3,9 +3,7 @@
 use crate::Kept;
 use crate::column::Column::{Integer, Made, Shown, Text, Truth};
 use crate::column::NamedColumn;
-use crate::judge::{
-    Boundary, Certified, CorrectDigits, ErrorSide, Judged, Judgement, Standing, Verdict,
-};
+use crate::judge::{Certified, CorrectDigits, ErrorSide, Judged, Judgement, Standing, Verdict};
 use crate::problem::Quantity;
 use crate::words::reason;
 use std::fmt::Display;
@@ -126,16 +124,12 @@ impl JudgedRow {
         ("stands", Truth(|row| row.judgement()?.stands)),
         ("claimed_mode", Text(|row| row.claimed_mode)),
         ("mode", Made(Self::modes)),
-        ("boundary", Text(|row| Some(row.boundary()?.quantity.name()))),
-        ("boundary_within", Shown(|row| Some(&row.boundary()?.within))),
+        ("boundary", Text(|row| Some(row.judgement()?.boundary.as_ref()?.quantity.name()))),
+        ("boundary_within", Shown(|row| Some(&row.judgement()?.boundary.as_ref()?.within))),
         ("side", Text(Self::side)),
         ("reason", Text(Self::reason)),
         ("note", Text(|row| row.note.as_deref())),
     ];
-
-    fn boundary(&self) -> Option<&Boundary> {
-        self.judgement()?.boundary.as_ref()
-    }
 
     /// The side of the least thickness on which the claim errs.
     fn side(&self) -> Option<&'static str> {

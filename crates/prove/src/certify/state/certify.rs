@@ -29,8 +29,6 @@ pub enum NoState {
 
 says!(NoState {
     Self::Falls(fall) => "the arch stands at no thickness: {}", fall.reason();
-    Self::Refused(error) => "{error}";
-    Self::Undecided(error) => "{error}";
 } from {
     Refused => Self::Refused;
     Undecided => Self::Undecided;
