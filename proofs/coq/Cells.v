@@ -34,8 +34,7 @@ Proof.
   { unfold outward_gap, normal_force, shear_force. rewrite cos_PI, sin_PI.
     assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra. }
   destruct (IVT (fun x => - outward_gap x mu h) alpha PI Hcontinuous ltac:(lra) ltac:(lra) ltac:(lra))
-    as (x & Hx & Ex).
-  exists x. split; [|lra]. destruct (Req_dec x PI) as [-> | Hne]; lra.
+    as (x & Hx & Ex). exists x. destruct (Req_dec x PI) as [-> | Hne]; lra.
 Qed.
 
 (** and there is one. *)
@@ -70,11 +69,9 @@ Lemma rotation_with_enough_friction (delta alpha beta eta : R) : 0 <= delta <= 1
   shoulder_gap delta alpha eta h p = 0 /\ 0 < normal_force alpha h /\
   exists mu, 0 < mu /\ admissible_state delta alpha eta mu h p.
 Proof.
-  intros Hd Hb Ha He Hstate h p. assert (HPI := PI_RGT_0).
-  assert (Hh := rotational_thrust_positive delta alpha beta eta ltac:(lra) He Hstate). fold h in Hh.
+  intros Hd Hb Ha He Hstate h p. assert (Hh := rotational_thrust_positive delta alpha beta eta ltac:(lra) He Hstate).
   assert (Hstands := rotational_state_stands delta alpha beta eta ltac:(lra) ltac:(lra) ltac:(lra) He Hstate).
-  cbv zeta in Hstands. fold h in Hstands. destruct Hstate as [_ H4].
-  assert (Hlever := lever_of_lower_thrust_positive beta eta ltac:(lra)).
+  fold h in Hstands. destruct Hstate as [_ H4]. assert (Hlever := lever_of_lower_thrust_positive beta eta ltac:(lra)).
   assert (E2 : h = h_lower delta beta eta) by easy. apply lower_thrust_cleared in E2; [|lra].
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra). fold h in H4.
   apply whole_thrust_cleared in H4; [|lra|lra]. split; [easy|]. split; [unfold crown_gap, p; ring|].
@@ -90,8 +87,7 @@ Proof.
   assert (Ht0 : 0 <= t) by apply Rabs_pos. assert (Hquotient : 0 <= t / n) by (apply Rdiv_le_0_compat; lra).
   exists (t / n + 1). split; [lra|]. intros x Hx. destruct (Hstands x Hx) as [HN Hin]. split.
   - unfold p. rewrite Rmult_comm. now apply joint_stands_iff_thrust_inside.
-  - unfold friction_holds. assert (A := Ht x Hx). assert (B := Hn x Hx). apply Rle_trans with t; [easy|].
-    apply Rle_trans with ((t / n + 1) * n).
+  - unfold friction_holds. assert (A := Ht x Hx). assert (B := Hn x Hx). apply Rle_trans with ((t / n + 1) * n).
     + replace ((t / n + 1) * n) with (t + n) by (field; lra). lra.
     + apply Rmult_le_compat_l; lra.
 Qed.
@@ -112,9 +108,8 @@ Proof.
   intros Hs Emu Hr. destruct moved as (h & p & beta & sigma & S & L). assert (Sh := shoulder_of_mode L).
   destruct (crown_of_mode Hr L) as (Hb & EC & EL). assert (Hh := thrust_positive S opening rough).
   destruct (rotational_state_of_crown S flag opening thickness rough beta Hb EC EL)
-    as (alpha0 & Ha0 & R & Eh & H1 & _).
-  exists alpha0, beta. split; [lra|]. split; [lra|].
-  split; [apply (crown_is_thin S flag opening thickness rough beta Hb EC EL)|]. split; [easy|]. rewrite <- Eh.
+    as (alpha0 & Ha0 & R & Eh & H1 & _). exists alpha0, beta. split; [lra|]. split; [lra|].
+  split; [apply (crown_is_thin S flag opening thickness rough beta Hb EC EL)|]. split; [easy|].
   assert (Hfriction := inner_friction_is_enough S flag opening thickness rough Sh H1). apply Rnot_lt_le. intros Hless.
   assert (mu_is hs < mu_is h) by (apply mu_is_strictly_decreasing; lra). lra.
 Qed.
@@ -134,10 +129,10 @@ Proof.
   intros S L. assert (Sh := shoulder_of_mode L).
   destruct (rotation_with_enough_friction delta alpha0 beta0 eta flag place within ltac:(lra) rotation)
     as (Hh0 & EC0 & EL0 & EU0 & _ & mu0 & Hmu0 & S0).
-  set (h0 := h_lower delta beta0 eta) in *. set (p0 := extrados eta * h0) in *.
   destruct (crown_thrust_is_less S S0 flag opening thickness rough ltac:(lra) thickness Hmu0 ltac:(lra) beta0 place EC0 EL0 Sh) as [Hle _].
   split; [easy|]. intros Hr. destruct (crown_of_mode Hr L) as (Hb & EC & EL).
-  destruct (crown_thrust_is_less S0 S flag ltac:(lra) thickness Hmu0 opening thickness rough ltac:(lra) beta Hb EC EL (or_introl EU0)) as [Hge _]. lra.
+  destruct (crown_thrust_is_less S0 S flag ltac:(lra) thickness Hmu0 opening thickness rough ltac:(lra) beta Hb EC EL (or_introl EU0)) as [Hge _].
+  lra.
 Qed.
 
 (** Where the inner joint asks for less thrust the crown turns. *)
@@ -168,20 +163,18 @@ Lemma shoulder_of_rotation : (rank m < 2)%nat ->
   (m = RRR -> mu_ss alpha0 (h_lower delta beta0 eta) <= mu) /\
   (m = SRR -> mu <= mu_ss alpha0 (h_lower delta beta0 eta)).
 Proof.
-  intros Hr. destruct moved as (h & p & beta & sigma & S & L). assert (HPI := PI_RGT_0).
+  intros Hr. destruct moved as (h & p & beta & sigma & S & L).
   destruct (thrusts_beside_rotation h p beta sigma S L) as [_ Heq]. specialize (Heq Hr).
   destruct (crown_of_mode Hr L) as (Hb & EC & EL).
   destruct (rotational_state_of_crown S flag opening thickness rough beta Hb EC EL)
-    as (alpha1 & Ha1 & R1 & Eh & _ & Eturns & Eslides).
-  assert (Esame : alpha1 = alpha0).
-  { destruct R1 as [_ H1], rotation as [_ H0]. rewrite <- Eh in H1. rewrite <- Heq in H0. apply A_injective; try lra.
-    unfold h_whole in H1, H0. lra. }
+    as (alpha1 & Ha1 & R1 & Eh & _ & Eturns & Eslides). assert (Esame : alpha1 = alpha0).
+  { destruct R1 as [_ H1], rotation as [_ H0]. apply A_injective; try lra. unfold h_whole in H1, H0. lra. }
   subst alpha1. rewrite <- Heq. split; intros ->.
   - simpl in L. rewrite (Eturns ltac:(tauto)).
     assert (HN := compressed S flag opening thickness rough alpha ltac:(lra)).
     destruct (margins_not_negative S alpha ltac:(lra)) as (_ & _ & _ & HO). rewrite shoulder_friction_from_statics.
     apply steepness_at_most; [easy|]. unfold outward_gap in HO. lra.
-  - simpl in L. apply Eslides. tauto.
+  - simpl in L. tauto.
 Qed.
 
 Theorem mode_under_a_crown : (rank m < 2)%nat ->
@@ -217,25 +210,21 @@ Proof.
   - (* pure sliding *)
     destruct m; simpl in R5; try lia. simpl in L. assert (Esame : alphaP = alpha).
     { apply Rle_antisym; [|easy]. apply (one_shoulder_just_slides alphaP alpha mu hs); easy || lra || tauto. }
-    split; [easy|]. intros Hin Hneg. exfalso. rewrite Esame in Hneg, Hin.
-    rewrite (shoulder_room_of_state _ _ _ _ _ p) in Hneg. assert (A := HL betaT ltac:(lra)). lra.
+    split; [easy|]. intros Hin Hneg. rewrite Esame in Hneg, Hin. rewrite (shoulder_room_of_state _ _ _ _ _ p) in Hneg.
+    assert (A := HL betaT ltac:(lra)). lra.
   - destruct (haunch_of_mode Hr R5 L) as (Hb & EL & EU).
     (* its haunch is betaT *)
     assert (Hfac := centroids_positive delta eta ltac:(lra)). assert (Hsame : beta = betaT).
     { destruct (Req_dec beta 0) as [Z | Z].
       - rewrite Z in EL |- *. assert (K0 := haunch_at_crown delta alpha eta hs p opening thickness HL EL).
-        destruct (Req_dec betaT 0) as [Z' | Z']; [easy | exfalso]. specialize (Htouch ltac:(lra)).
+        destruct (Req_dec betaT 0) as [Z' | Z']; [easy | exfalso].
         assert (Hcot := times_cotangent_below_one betaT ltac:(lra)).
-        assert (0 <= intrados eta * (1 - betaT * cot betaT)) by (apply Rmult_le_pos; unfold intrados; lra).
-        destruct (Req_dec eta 2) as [E2 | E2]; [unfold intrados in Htouch; rewrite E2 in Htouch, Hfac; lra|].
-        assert (0 < intrados eta * (1 - betaT * cot betaT)) by (apply Rmult_lt_0_compat; unfold intrados; lra). lra.
+        assert (0 <= intrados eta * (1 - betaT * cot betaT)) by (apply Rmult_le_pos; unfold intrados; lra). nra.
       - assert (T := haunch_of_wide_arch delta alpha eta hs p beta opening thickness HL EL ltac:(lra)).
         destruct (Req_dec eta 2) as [E2 | E2]; [unfold intrados in T; rewrite E2 in T, Hfac; lra|].
         assert (Hin : 0 < intrados eta) by (unfold intrados; lra). destruct (Req_dec betaT 0) as [Z' | Z'].
-        + exfalso. specialize (Hcrown Z'). assert (Hcot := times_cotangent_below_one beta ltac:(lra)).
-          assert (0 < intrados eta * (1 - beta * cot beta)) by (apply Rmult_lt_0_compat; lra). lra.
-        + specialize (Htouch ltac:(lra)). apply times_cotangent_injective; try lra.
-          apply (Rmult_eq_reg_l (intrados eta)); lra. }
+        + assert (Hcot := times_cotangent_below_one beta ltac:(lra)). nra.
+        + apply times_cotangent_injective; try lra. apply (Rmult_eq_reg_l (intrados eta)); lra. }
     subst beta. split.
     + (* with room at the shoulder that just slides there is room at each within *)
       intros [Hbeyond | Hpos]; exfalso; [lra|].
@@ -244,8 +233,7 @@ Proof.
       destruct (Req_dec alpha alphaP) as [Esame | Hne]; [rewrite Esame in Hzero; lra|].
       assert (0 < shoulder_room delta alpha betaT eta hs); [|lra]. apply (room_within delta alpha alphaP); try lra.
       rewrite (shoulder_room_of_state _ _ _ _ _ p), EL. destruct (Hgaps 0 ltac:(lra)) as (A & _). lra.
-    + intros _ _. rewrite Esigma in L.
-      destruct m; simpl in Hr, R5; try lia; simpl in L; repeat split; intros; easy || lra.
+    + destruct m; simpl in Hr, R5; try lia; simpl in L; repeat split; intros; easy || lra.
 Qed.
 
 End Point.
@@ -375,21 +363,19 @@ Proof.
       destruct (haunch_of_mode R1 R1' L1) as (Hb1 & EL1 & EU1).
       destruct (haunch_of_mode R2 R5 L2) as (Hb2 & EL2 & EU2).
       destruct (haunch_falls S1 S2 Hd Ha1 ltac:(lra) ltac:(lra) Ha2 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) s1 b1 s2 b2 Hs1 EI1 (or_introl EU1)
-                  Hs2 EI2 (or_introl EU2) Hb1 EL1 Hb2 EL2) as (Hfall & Hfalls & Hslip).
-      specialize (Hfalls Hstrict). specialize (Hslip (or_introl Hhalf)). apply Nat.nlt_ge. intros Hless.
-      destruct m1, m2; simpl in R1, R1', R2, R5, Hless; try lia; simpl in L1, L2; lra.
+                  Hs2 EI2 (or_introl EU2) Hb1 EL1 Hb2 EL2) as (Hfall & Hfalls & Hslip). apply Nat.nlt_ge.
+      intros Hless. destruct m1, m2; simpl in R1, R1', R2, R5, Hless; try lia; simpl in L1, L2; lra.
   - destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1].
-    + exfalso. destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1). destruct M2 as (h2 & p2 & b2 & s2 & S2 & L2).
+    + destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1). destruct M2 as (h2 & p2 & b2 & s2 & S2 & L2).
       destruct (slip_of_mode R1 L1) as [Hs1 EI1]. destruct (crown_of_mode R2 L2) as (Hb2 & EC2 & EL2).
       destruct (crown_turns_first S1 S2 Hd Ha1 ltac:(lra) ltac:(lra) Ha2 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
         s1 b2 Hs1 EI1 (shoulder_of_mode L1) Hb2 EC2 EL2 (shoulder_of_mode L2)) as (_ & E & _). lra.
     + destruct m1; simpl in R1; try lia; [simpl; lia|]. destruct m2; simpl in R2; try lia. exfalso.
       (* a shoulder that slides, and one that turns with less friction *)
       destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1). destruct (M2) as (h2 & p2 & b2 & s2 & S2 & L2). simpl in L1, L2.
-      destruct L1 as (Hb1 & EC1 & EL1 & EO1). destruct L2 as (Hb2 & EC2 & EL2 & EU2).
+      destruct L1 as (Hb1 & EC1 & EL1 & EO1).
       destruct (rotational_state_of_crown S1 Hd Ha1 ltac:(lra) ltac:(lra) b1 Hb1 EC1 EL1)
-        as (a1 & Ha1' & T1 & E1 & _ & _ & F1).
-      destruct (F1 EO1) as [_ G1]. destruct (Req_dec eta1 eta2) as [Eeta | Eeta].
+        as (a1 & Ha1' & T1 & E1 & _ & _ & F1). destruct (Req_dec eta1 eta2) as [Eeta | Eeta].
       * rewrite <- Eeta in *. assert (Hthin := crown_is_thin S1 Hd Ha1 ltac:(lra) ltac:(lra) b1 Hb1 EC1 EL1).
         destruct (shoulder_of_rotation delta alpha2 eta1 mu2 RRR Hd Ha2 ltac:(lra) ltac:(lra) M2 a1 b1
                     ltac:(lra) ltac:(lra) Hthin T1 ltac:(simpl; lia)) as [G2 _].

@@ -28,8 +28,7 @@ Theorem joint_stands_iff_thrust_inside (delta beta eta h crown : R) : 0 < normal
   intrados eta <= pressure_point delta beta eta h crown <= extrados eta.
 Proof.
   intros HN. unfold joint_stands, pressure_point. set (N := normal_force beta h) in *. set (M := h * crown + _).
-  assert (E : M = M / N * N) by (field; lra). set (rho := M / N) in *. rewrite E.
-  split; intros H; [split|repeat split]; nra.
+  assert (E : M = M / N * N) by (field; lra). split; intros H; [split|repeat split]; nra.
 Qed.
 
 (** ** [beta cot beta] falls *)
@@ -37,7 +36,7 @@ Qed.
 Lemma times_cosine_below_sine (x : R) : 0 < x < PI -> x * cos x < sin x.
 Proof.
   intros Hx. destruct (MVT_cor2 (fun t => sin t - t * cos t) (fun t => t * sin t) 0 x) as (c & Hc & Hin); [lra | |].
-  - intros c Hc. apply is_derive_Reals. auto_derive; [easy | ring].
+  - intros c Hc. auto_derive; [easy | ring].
   - rewrite sin_0, Rmult_0_l in Hc. assert (0 < sin c) by (apply sin_gt_0; lra).
     assert (0 < c * sin c * (x - 0)) by (repeat apply Rmult_lt_0_compat; lra). lra.
 Qed.
@@ -52,12 +51,10 @@ Theorem times_cotangent_falls (a b : R) : 0 < a -> a < b -> b < PI -> b * cot b 
 Proof.
   intros Ha Hab Hb.
   destruct (MVT_cor2 (fun x => x * cot x) (fun x => (sin x * cos x - x) / sin x ^ 2) a b Hab) as (c & Hc & Hin).
-  { intros c Hc. apply is_derive_Reals. assert (HS : sin c <> 0) by (apply Rgt_not_eq, sin_gt_0; lra). unfold cot.
-    auto_derive; [exact HS|].
+  { intros c Hc. assert (HS : sin c <> 0) by (apply Rgt_not_eq, sin_gt_0; lra). unfold cot. auto_derive; [exact HS|].
     transitivity ((sin c * cos c - c * (sin c ^ 2 + cos c ^ 2)) / sin c ^ 2); [|rewrite circle]; field; exact HS. }
   assert (HS : 0 < sin c) by (apply sin_gt_0; lra). assert (sin c < c) by (apply sin_lt_x; lra).
-  destruct (COS_bound c). assert (0 < (c - sin c * cos c) / sin c ^ 2) by (apply Rdiv_lt_0_compat; nra).
-  replace ((sin c * cos c - c) / sin c ^ 2) with (- ((c - sin c * cos c) / sin c ^ 2)) in Hc by (field; lra). nra.
+  destruct (COS_bound c). assert (0 < (c - sin c * cos c) / sin c ^ 2) by (apply Rdiv_lt_0_compat; nra). nra.
 Qed.
 
 Lemma times_cotangent_injective (a b : R) : 0 < a < PI -> 0 < b < PI -> a * cot a = b * cot b -> a = b.
@@ -85,8 +82,8 @@ Lemma margin_increment (x y : R) : 0 <= x -> x < y -> y < PI ->
 Proof.
   intros Hx Hxy Hy. set (slope := fun t => a * (sin t * (1 - h) + t * cos t) - m * sin t).
   destruct (MVT_cor2 margin slope x y Hxy) as (c & Hc & Hin).
-  { intros c Hc. apply is_derive_Reals. unfold margin, normal_force, slope. auto_derive; [easy | ring]. }
-  exists c. split; [easy|]. rewrite Hc. f_equal. unfold slope, direction, cot. field. apply Rgt_not_eq, sin_gt_0; lra.
+  { intros c Hc. unfold margin, normal_force, slope. auto_derive; [easy | ring]. }
+  exists c. split; [easy|]. rewrite Hc. unfold slope, direction, cot. field. apply Rgt_not_eq, sin_gt_0; lra.
 Qed.
 
 Lemma margin_rises (x y : R) : 0 <= x -> x < y -> y < PI -> 0 <= direction y ->
@@ -180,8 +177,7 @@ Proof.
   assert (Hh : 2 * eta * sin beta * h_lower delta beta eta = (g_of beta - f_of beta) * (2 - eta)).
   { apply (haunch_relation delta beta eta (h_lower delta beta eta)); try easy; try lra.
     apply Rgt_not_eq, lever_of_lower_thrust_positive; lra. }
-  assert (0 < (g_of beta - f_of beta) * (2 - eta)) by (apply Rmult_lt_0_compat; lra).
-  apply (Rmult_lt_reg_l (2 * eta * sin beta)); [repeat apply Rmult_lt_0_compat; lra | lra].
+  apply (Rmult_lt_reg_l (2 * eta * sin beta)); [repeat apply Rmult_lt_0_compat; nra | nra].
 Qed.
 
 (** A purely rotational state stands at every joint. *)
@@ -208,13 +204,7 @@ Proof.
   - apply (extrados_safe delta alpha); try easy; try lra; unfold extrados; lra.
 Qed.
 
-(** ** No thinner arch stands
-
-    What is left to the extrados at the crown, to the intrados at the haunch and to the extrados at
-    the shoulder must not be negative.  Added with the rotations of a collapse mechanism as
-    multipliers, [a] at the crown, [c] at the shoulder and [a + c] at the haunch, the three are free
-    of [p]; the mechanism's sliding joint, if any, bounds the thrust on the side that matters.  The
-    sum is 0 at the thickness of the state and negative at a thinner one. *)
+(** ** Thicker arches stand *)
 
 Definition crown_gap (eta h p : R) : R := extrados eta * h - p.
 Definition haunch_gap (delta beta eta h p : R) : R :=
@@ -224,6 +214,50 @@ Definition shoulder_gap (delta alpha eta h p : R) : R :=
 
 Lemma gap_at_crown (delta eta h p : R) : shoulder_gap delta 0 eta h p = crown_gap eta h p.
 Proof. unfold shoulder_gap, crown_gap. rewrite normal_force_at_crown, cos_0. ring. Qed.
+
+(** With less thickness the centroids move less than the pressure points. *)
+Lemma centroids_move_less (delta eta eta' : R) : 0 <= delta <= 1 -> 0 < eta < eta' -> eta' <= 2 ->
+  0 < 12 - delta * (2 * (eta + eta') + eta * eta').
+Proof.
+  intros Hd He He'. set (x := 2 * (eta + eta') + eta * eta'). assert (Hx : 0 < x < 12) by (unfold x; split; nra). nra.
+Qed.
+
+(** What a joint bears it bears in a thicker arch, up to the physical limit, *)
+Theorem joint_stands_if_thicker (delta beta eta eta' h p : R) : 0 <= delta <= 1 -> 0 < eta <= eta' -> eta' <= 2 ->
+  0 <= p -> joint_stands delta beta eta h p -> joint_stands delta beta eta' h p.
+Proof.
+  intros Hd [He [Hlt | <-]] He' Hp H; [| exact H].
+  assert (Hless := centroids_move_less delta eta eta' Hd ltac:(lra) He'). assert (HV := COS_bound beta).
+  unfold joint_stands, intrados, extrados, fac in *. set (V := 1 - cos beta) in *. assert (0 <= V) by (unfold V; lra).
+  split; [easy | split].
+  - assert (0 <= delta * (eta' * eta' - eta * eta) * V) by (repeat apply Rmult_le_pos; nra). nra.
+  - assert (0 <= (eta' - eta) * (12 - delta * (2 * (eta + eta') + eta * eta')) * V)
+      by (repeat apply Rmult_le_pos; lra).
+    nra.
+Qed.
+
+(** and beside the crown it has room there. *)
+Lemma room_if_thicker (delta x eta eta' h p : R) : 0 <= delta <= 1 -> 0 < eta < eta' -> eta' <= 2 -> 0 <= p ->
+  0 < x < PI -> joint_stands delta x eta h p -> 0 < haunch_gap delta x eta' h p /\ 0 < shoulder_gap delta x eta' h p.
+Proof.
+  intros Hd He He' Hp Hx (HN & Hin & Hout). assert (Hless := centroids_move_less delta eta eta' Hd He He').
+  assert (0 < 1 - cos x) by (apply versine_positive; lra).
+  unfold haunch_gap, shoulder_gap, intrados, extrados, fac in *. set (V := 1 - cos x) in *. split.
+  - assert (0 <= delta * (eta' * eta' - eta * eta) * V) by (repeat apply Rmult_le_pos; nra).
+    assert (0 <= delta * (eta' * eta') * V) by (repeat apply Rmult_le_pos; nra). destruct HN as [HN | HN].
+    + nra.
+    + nra.
+  - assert (0 < (eta' - eta) * (12 - delta * (2 * (eta + eta') + eta * eta')) * V)
+      by (repeat apply Rmult_lt_0_compat; lra). nra.
+Qed.
+
+(** ** No thinner arch stands
+
+    What is left to the extrados at the crown, to the intrados at the haunch and to the extrados at
+    the shoulder must not be negative.  Added with the rotations of a collapse mechanism as
+    multipliers, [a] at the crown, [c] at the shoulder and [a + c] at the haunch, the three are free
+    of [p]; the mechanism's sliding joint, if any, bounds the thrust on the side that matters.  The
+    sum is 0 at the thickness of the state, and would be positive there if a thinner arch stood. *)
 
 Definition mechanism (a c delta alpha beta eta h p : R) : R :=
   a * crown_gap eta h p + (a + c) * haunch_gap delta beta eta h p
@@ -238,23 +272,6 @@ Lemma mechanism_of_thrust (a c delta alpha beta eta h p h0 p0 : R) :
   = thrust_arm a c alpha beta eta * (h - h0).
 Proof. unfold mechanism, crown_gap, haunch_gap, shoulder_gap, thrust_arm, normal_force. ring. Qed.
 
-(** The rate of the sum with the thickness. *)
-Lemma mechanism_of_thickness (a c delta alpha beta eta eta' h p : R) :
-  mechanism a c delta alpha beta eta h p - mechanism a c delta alpha beta eta' h p
-  = (eta - eta')
-    * ((a * h + (a + c) * normal_force beta h + c * normal_force alpha h) / 2
-       + delta * (eta + eta') / 12 * ((a + c) * (1 - cos beta) - c * (1 - cos alpha))).
-Proof. unfold mechanism, crown_gap, haunch_gap, shoulder_gap, extrados, intrados, fac. field. Qed.
-
-(** With less thickness the centroids move less than the pressure points. *)
-Lemma centroids_move_less (delta eta eta' : R) : 0 <= delta <= 1 -> 0 < eta' < eta -> eta <= 2 ->
-  delta * (eta + eta') / 12 * (2 + eta') < fac delta eta'.
-Proof.
-  intros Hd He' He. unfold fac. set (x := 2 * eta + 2 * eta' + eta * eta').
-  assert (Hx : 0 < x < 12) by (unfold x; split; nra). assert (delta * x < 12) by (clearbody x; nra). unfold x in *.
-  lra.
-Qed.
-
 (** For every mechanism with a rotation at the crown or at the shoulder, and every state
     [(eta, h0, p0)] in which it can move. *)
 Theorem no_thinner_arch_by_mechanism (a c delta alpha beta eta eta' h0 p0 h p : R) : 0 <= delta <= 1 ->
@@ -264,44 +281,18 @@ Theorem no_thinner_arch_by_mechanism (a c delta alpha beta eta eta' h0 p0 h p : 
   joint_stands delta beta eta' h p ->
   ~ joint_stands delta alpha eta' h p.
 Proof.
-  intros Hd Ha Hb He' He Ha0 Hc0 Hmoves Hstate Hfriction.
-  intros (HN0 & Hin0 & Hout0) (HNb & Hinb & _) (HNa & _ & Houta). rewrite normal_force_at_crown, cos_0 in *.
-  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  assert (Hvb : 0 <= 1 - cos beta) by (destruct (COS_bound beta); lra). assert (Hp : 0 <= p).
+  intros Hd Ha Hb He' He Ha0 Hc0 Hmoves Hstate Hfriction (HN0 & Hin0 & Hout0) Sb Sa.
+  rewrite normal_force_at_crown, cos_0 in *. assert (Hp : 0 <= p).
   { assert (0 <= intrados eta' * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra. }
-  (* no compression, no force: the haunch carries weight *)
-  assert (HNb_strict : 0 < beta -> 0 < h + normal_force beta h).
-  { intros Hbeta. destruct (Req_dec h 0) as [-> | Hne]; [|lra]. unfold normal_force.
-    assert (0 < beta * sin beta); [|lra]. apply Rmult_lt_0_compat; [|apply sin_gt_0]; lra. }
   assert (Hthrust := mechanism_of_thrust a c delta alpha beta eta h p h0 p0).
-  assert (Hrate := mechanism_of_thickness a c delta alpha beta eta eta' h p).
-  assert (Hsum : 0 <= mechanism a c delta alpha beta eta' h p).
-  { unfold mechanism, crown_gap, haunch_gap, shoulder_gap.
-    assert (0 <= a * (extrados eta' * h - p)) by (apply Rmult_le_pos; lra).
-    assert (0 <= (a + c) * (p + fac delta eta' * (1 - cos beta)
-                            - intrados eta' * normal_force beta h)) by (apply Rmult_le_pos; lra).
-    assert (0 <= c * (extrados eta' * normal_force alpha h - p - fac delta eta' * (1 - cos alpha)))
-      by (apply Rmult_le_pos; lra).
-    lra. }
-  set (Nb := normal_force beta h) in *. set (Na := normal_force alpha h) in *. set (v := 1 - cos alpha) in *.
-  set (vb := 1 - cos beta) in *.
-  (* the force in the shoulder outweighs what its centroids move *)
-  assert (Hshoulder : delta * (eta + eta') / 12 * v < Na / 2).
-  { assert (HNa2 : fac delta eta' * v <= (2 + eta') / 2 * Na) by (unfold extrados in Houta; lra).
-    assert (Hweights := centroids_move_less delta eta eta' Hd He' He). apply (Rmult_lt_reg_r (2 + eta')); [lra|].
-    apply Rlt_le_trans with (fac delta eta' * v); [|lra].
-    replace (delta * (eta + eta') / 12 * v * (2 + eta')) with (delta * (eta + eta') / 12 * (2 + eta') * v) by ring.
-    now apply Rmult_lt_compat_r. }
-  assert (Hbracket : 0 < (a * h + (a + c) * Nb + c * Na) / 2 + delta * (eta + eta') / 12 * ((a + c) * vb - c * v)).
-  { assert (0 <= delta * (eta + eta') / 12 * ((a + c) * vb)).
-    { assert (0 <= delta * (eta + eta')) by (apply Rmult_le_pos; lra).
-      apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]. }
-    assert (0 <= a * h) by (apply Rmult_le_pos; lra). assert (0 <= a * Nb) by (apply Rmult_le_pos; lra).
-    assert (0 <= c * Nb) by (apply Rmult_le_pos; lra). destruct Hmoves as [Hc | [Ha1 Hbeta]].
-    - assert (c * (delta * (eta + eta') / 12 * v) < c * (Na / 2)) by (now apply Rmult_lt_compat_l). lra.
-    - assert (c * (delta * (eta + eta') / 12 * v) <= c * (Na / 2)) by (apply Rmult_le_compat_l; lra).
-      assert (0 < a * (h + Nb)) by (apply Rmult_lt_0_compat; [easy | now apply HNb_strict]). lra. }
-  assert (Hproduct := Rmult_lt_0_compat (eta - eta') _ ltac:(lra) Hbracket). lra.
+  assert (Hthicker := joint_stands_if_thicker delta beta eta' eta h p Hd ltac:(lra) He Hp Sb).
+  destruct (room_if_thicker delta alpha eta' eta h p Hd He' He Hp Ha Sa) as [_ Hshoulder].
+  assert (0 <= a * crown_gap eta h p) by (apply Rmult_le_pos; [easy | unfold crown_gap, extrados in *; nra]).
+  assert (0 < mechanism a c delta alpha beta eta h p); [unfold mechanism | lra].
+  destruct Hmoves as [Hc | [Ha1 Hbeta]].
+  - assert (0 <= (a + c) * haunch_gap delta beta eta h p)
+      by (apply Rmult_le_pos; [| destruct Hthicker; unfold haunch_gap]; lra). nra.
+  - destruct (room_if_thicker delta beta eta' eta h p Hd He' He Hp ltac:(lra) Sb) as [Hhaunch _]. nra.
 Qed.
 
 (** [[r,r,r]]: the thickness of (2) and (4), with no friction condition. The lever arm is that
@@ -336,34 +327,28 @@ Lemma lever_positive_from_semicircle (alpha beta eta : R) : 0 < beta < alpha -> 
 Proof.
   intros Hb Ha He. unfold intrados, extrados. assert (cos alpha < cos beta) by (apply cos_decreasing_1; lra).
   assert (cos alpha <= 0) by (apply cos_le_0; lra).
-  replace ((1 - eta / 2) * cos beta - (1 + eta / 2) * cos alpha)
-    with ((1 - eta / 2) * (cos beta - cos alpha) + eta * - cos alpha) by field.
-  assert (0 < (1 - eta / 2) * (cos beta - cos alpha)) by (apply Rmult_lt_0_compat; lra).
-  assert (0 <= eta * - cos alpha) by (apply Rmult_le_pos; lra). lra.
+
+  nra.
 Qed.
 
 (** Below it because [A / cos] grows. *)
 Lemma A_over_cos_grows (a b : R) : 0 < a -> a < b -> b < PI / 2 -> A a / cos a < A b / cos b.
 Proof.
-  intros Ha Hab Hb. assert (HPI := PI2_3_2).
-  set (slope := fun x => (cos x * (sin x - x) + x * sin x ^ 2) / ((1 - cos x) * cos x ^ 2)).
+  intros Ha Hab Hb. set (slope := fun x => (cos x * (sin x - x) + x * sin x ^ 2) / ((1 - cos x) * cos x ^ 2)).
   assert (Hpositive : forall x, 0 < x < PI / 2 ->
             0 < cos x /\ 0 < 1 - cos x /\ 0 < cos x * (sin x - x) + x * sin x ^ 2).
   { intros x Hx. assert (HC : 0 < cos x) by (apply cos_gt_0; lra). assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
-    assert (Hsx : sin x < x) by (apply sin_lt_x; lra). assert (Hv : 0 < 1 - cos x) by (apply versine_positive; lra).
-    repeat split; try easy. assert (Hcot := times_cosine_below_sine x ltac:(lra)). assert (Hcircle := circle x).
-    replace (sin x ^ 2) with (1 - cos x ^ 2) by lra.
-    assert (0 < cos x * (sin x - x * cos x)) by (apply Rmult_lt_0_compat; lra).
-    assert (0 < x * (1 - cos x)) by (apply Rmult_lt_0_compat; lra). nra. }
+    assert (Hcot := times_cosine_below_sine x ltac:(lra)). assert (Hcircle := circle x).
+
+    nra. }
   destruct (MVT_cor2 (fun x => A x / cos x) slope a b Hab) as (c & Hc & Hin).
-  { intros c Hc. apply is_derive_Reals. destruct (Hpositive c ltac:(lra)) as (HC & Hv & _). unfold A, slope.
-    auto_derive; [repeat split; lra|].
-    transitivity ((((sin c + c * cos c) * (1 - cos c) - c * sin c ^ 2) * cos c
+  { intros c Hc. destruct (Hpositive c ltac:(lra)) as (HC & Hv & _). unfold A, slope.
+    auto_derive; [repeat split; lra|]. transitivity ((((sin c + c * cos c) * (1 - cos c) - c * sin c ^ 2) * cos c
                    + c * sin c ^ 2 * (1 - cos c)) / ((1 - cos c) ^ 2 * cos c ^ 2)); [field; lra|].
     replace (sin c ^ 2) with ((1 - cos c) * (1 + cos c)) by (assert (Hcircle := circle c); lra). field. lra. }
   destruct (Hpositive c ltac:(lra)) as (HC & Hv & Hn). assert (0 < slope c).
   { apply Rdiv_lt_0_compat; [easy|]. apply Rmult_lt_0_compat; [easy|]. now apply pow_lt. }
-  assert (0 < slope c * (b - a)) by (apply Rmult_lt_0_compat; lra). lra.
+  nra.
 Qed.
 
 Theorem lever_positive (delta alpha beta eta : R) :
@@ -382,83 +367,16 @@ Proof.
   assert (Hhaunch : g_of beta <= A beta * sin beta).
   { replace (A beta * sin beta) with (beta * (1 + cos beta)).
     - unfold g_of. assert (sin beta < beta) by (apply sin_lt_x; lra). nra.
-    - unfold A. symmetry. rewrite <- (Rmult_1_r (_ * sin beta)).
-      transitivity (beta * sin beta ^ 2 / (1 - cos beta)); [field; lra|].
+    - unfold A. symmetry. transitivity (beta * sin beta ^ 2 / (1 - cos beta)); [field; lra|].
       replace (sin beta ^ 2) with ((1 - cos beta) * (1 + cos beta)) by (assert (Hcircle := circle beta); lra). field.
       lra. }
   assert (Hgrows : A beta * cos alpha < A alpha * cos beta).
   { assert (H := A_over_cos_grows beta alpha ltac:(lra) ltac:(lra) Hnarrow).
     apply (Rmult_lt_compat_r (cos alpha * cos beta)) in H; [|now apply Rmult_lt_0_compat]. field_simplify in H; lra. }
-  assert (Hopen : g_of beta * cos alpha < A alpha * sin beta * cos beta) by nra.
-  apply (Rmult_lt_reg_l (2 * g_of beta)); [lra|]. rewrite Rmult_0_r. unfold intrados, extrados.
-  replace (2 * g_of beta * ((1 - eta / 2) * cos beta - (1 + eta / 2) * cos alpha))
-    with (g_of beta * (2 - eta) * cos beta - (2 + eta) * (g_of beta * cos alpha)) by field.
-  rewrite <- Hshoulder. nra.
+  assert (Hopen : g_of beta * cos alpha < A alpha * sin beta * cos beta) by nra. unfold intrados, extrados. nra.
 Qed.
 
-(** ** Thicker arches stand
-
-    With the thrust of the state, [p] has an upper bound from the extrados at crown and shoulder,
-    and a lower one from the intrados at each joint.  The gap between shoulder and a joint is
-    concave in the thickness and not negative at [eta] and at 2. *)
-
-Lemma gap_at_limit_not_negative (delta alpha eta h : R) : 0 <= delta <= 1 -> 0 < eta <= 2 -> 0 <= h ->
-  0 <= 1 - cos alpha -> extrados eta * normal_force alpha h = extrados eta * h + fac delta eta * (1 - cos alpha) ->
-  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h.
-Proof.
-  intros Hd He Hh Hv Hshoulder. assert (Hfac : fac delta 2 * extrados eta <= 2 * fac delta eta).
-  { unfold fac, extrados. assert (0 <= (1 - delta) * (2 - eta)) by (apply Rmult_le_pos; lra).
-    assert (0 <= delta * (2 - eta) ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). lra. }
-  apply (Rmult_le_reg_l (extrados eta)); [unfold extrados; lra|].
-  assert (0 <= extrados eta * h) by (apply Rmult_le_pos; [unfold extrados|]; lra).
-  assert (fac delta 2 * extrados eta * (1 - cos alpha) <= 2 * fac delta eta * (1 - cos alpha))
-    by (now apply Rmult_le_compat_r).
-  lra.
-Qed.
-
-(** Any state with a thrust that the limit bears. *)
-Theorem thicker_arch_stands_by_limit (delta alpha eta eta' h p : R) : 0 <= delta -> 0 < alpha < PI -> 0 < eta <= 2 ->
-  eta <= eta' <= 2 -> 0 <= h -> fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
-  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
-  exists p', forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p'.
-Proof.
-  intros Hd Ha He He' Hh Hlimit Hstands. set (from_crown := extrados eta' * h).
-  set (from_shoulder := extrados eta' * normal_force alpha h - fac delta eta' * (1 - cos alpha)).
-  exists (Rmin from_crown from_shoulder). intros x Hx. destruct (Hstands 0 ltac:(lra)) as (_ & _ & Hcrown).
-  destruct (Hstands alpha ltac:(lra)) as (_ & _ & Hshoulder). destruct (Hstands x Hx) as (HN & Hin & _).
-  rewrite normal_force_at_crown, cos_0 in Hcrown. split; [exact HN|]. split.
-  - (* intrados *)
-    enough (intrados eta' * normal_force x h - fac delta eta' * (1 - cos x) <= Rmin from_crown from_shoulder) by lra.
-    assert (Hversine_x : 0 <= 1 - cos x) by (destruct (COS_bound x); lra). set (N := normal_force x h) in *.
-    set (Na := normal_force alpha h) in *. apply Rmin_glb.
-    + (* the crown's bound grows, that of the joint falls *)
-      unfold from_crown, extrados, intrados, fac in *. assert (0 <= (eta' - eta) * N) by (apply Rmult_le_pos; lra).
-      assert (0 <= (eta' - eta) * h) by (apply Rmult_le_pos; lra).
-      assert (0 <= delta * (eta' ^ 2 - eta ^ 2) * (1 - cos x)).
-      { repeat apply Rmult_le_pos; try lra. nra. }
-      lra.
-    + (* concave *)
-      assert (Hcos : cos alpha <= cos x) by (apply cos_decr_1; lra).
-      set (gap := fun e => extrados e * Na - fac delta e * (1 - cos alpha)
-                           - (intrados e * N - fac delta e * (1 - cos x))).
-      enough (0 <= gap eta') by (unfold gap, from_shoulder in *; lra).
-      assert (Hat_eta : 0 <= gap eta) by (unfold gap; lra). assert (Hat_2 : 0 <= gap 2).
-      { unfold gap, extrados, intrados.
-        assert (0 <= fac delta 2 * (1 - cos x)) by (apply Rmult_le_pos; [unfold fac|]; lra). lra. }
-      destruct (Req_dec eta' 2) as [-> | Hthinner]; [exact Hat_2|].
-      assert (Hconcave : (2 - eta) * gap eta' = (2 - eta') * gap eta + (eta' - eta) * gap 2 + delta / 12 *
-        (cos x - cos alpha) * ((2 - eta) * (2 - eta') * (eta' - eta)))
-        by (unfold gap, extrados, intrados, fac; field).
-      assert (0 <= delta / 12 * (cos x - cos alpha) * ((2 - eta) * (2 - eta') * (eta' - eta)))
-        by (repeat apply Rmult_le_pos; lra).
-      assert (0 <= (2 - eta') * gap eta) by (apply Rmult_le_pos; lra).
-      assert (0 <= (eta' - eta) * gap 2) by (apply Rmult_le_pos; lra). apply (Rmult_le_reg_l (2 - eta)); lra.
-  - (* extrados *)
-    apply (extrados_safe delta alpha); try easy.
-    + unfold extrados. lra.
-    + apply Rmin_l.
-    + assert (H := Rmin_r from_crown from_shoulder). unfold from_shoulder in *. lra.
-Qed.
+(** ** A rotational state's thicker arches *)
 
 Theorem thicker_arch_stands (delta alpha beta eta eta' : R) : 0 <= delta <= 1 -> 0 < beta < PI -> 0 < alpha < PI ->
   0 < eta < 2 -> eta <= eta' <= 2 -> rotational_state delta alpha beta eta ->
@@ -466,15 +384,10 @@ Theorem thicker_arch_stands (delta alpha beta eta eta' : R) : 0 <= delta <= 1 ->
   exists p, forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p.
 Proof.
   intros Hd Hb Ha He He' Hstate h. assert (Hh := rotational_thrust_positive delta alpha beta eta Hb He Hstate).
-  fold h in Hh. assert (Hstands := rotational_state_stands delta alpha beta eta (proj1 Hd) Hb Ha He Hstate).
-  cbv zeta in Hstands. fold h in Hstands. destruct Hstate as [_ H24].
-  assert (Hversine : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  apply whole_thrust_cleared in H24; [fold h in H24 | lra | lra].
-  assert (Hshoulder : extrados eta * normal_force alpha h = extrados eta * h + fac delta eta * (1 - cos alpha))
-    by (unfold extrados, normal_force; lra).
-  apply (thicker_arch_stands_by_limit delta alpha eta eta' h (h * extrados eta)); try easy; try lra.
-  - apply (gap_at_limit_not_negative delta alpha eta h); try easy; lra.
-  - intros x Hx. destruct (Hstands x Hx). now apply joint_stands_iff_thrust_inside.
+  exists (h * extrados eta). intros x Hx. apply (joint_stands_if_thicker delta x eta); try lra.
+  - apply Rmult_le_pos; [fold h in Hh | unfold extrados]; lra.
+  - destruct (rotational_state_stands delta alpha beta eta (proj1 Hd) Hb Ha He Hstate x Hx).
+    now apply joint_stands_iff_thrust_inside.
 Qed.
 
 (** ** The least thickness *)
@@ -489,8 +402,7 @@ Proof.
   intros Hd Hb Ha He Hstate eta' He'. assert (Hlever := lever_positive delta alpha beta eta Hb Ha He Hstate). split.
   - intros (h & p & Hall). apply Rnot_lt_le. intros Hthin. destruct Hstate as [_ H24].
     apply (no_thinner_arch delta alpha beta eta eta' h p); try easy; try lra; apply Hall; lra.
-  - intros Hthick. exists (h_lower delta beta eta).
-    apply (thicker_arch_stands delta alpha beta eta eta'); try easy; lra.
+  - exists (h_lower delta beta eta). apply (thicker_arch_stands delta alpha beta eta eta'); try easy; lra.
 Qed.
 
 (** So a half-angle has at most one rotational state. *)

@@ -30,8 +30,8 @@ Qed.
 Lemma thrust_at_least_h_is (mu h0 h : R) : 0 < h0 < 1 -> mu = mu_is h0 -> 0 <= h ->
   0 <= normal_force (beta_s h0) h -> friction_holds (beta_s h0) mu h -> h0 <= h.
 Proof.
-  intros Hh0 Hmu Hh HN Hfriction. apply Rnot_lt_le. intros Hless. rewrite mu_is_from_statics in Hmu by easy.
-  assert (Hbeta := beta_s_positive h0 Hh0). assert (HN0 := normal_force_at_beta_s_positive h0 ltac:(lra)).
+  intros Hh0 Hmu Hh HN Hfriction. rewrite mu_is_from_statics in Hmu by easy. assert (Hbeta := beta_s_positive h0 Hh0).
+  assert (HN0 := normal_force_at_beta_s_positive h0 ltac:(lra)).
   assert (Hshear : shear_force (beta_s h0) h <= mu * normal_force (beta_s h0) h)
     by (unfold friction_holds in Hfriction; assert (H := Rle_abs (shear_force (beta_s h0) h)); lra).
   (* T/N is larger for the smaller thrust; cleared of the denominators *)
@@ -41,8 +41,7 @@ Proof.
     transitivity (b * (h0 - h) * (sin b ^ 2 + cos b ^ 2)); [ring | rewrite circle; ring]. }
   assert (Hsteep : mu * normal_force (beta_s h0) h0 = shear_force (beta_s h0) h0)
     by (rewrite Hmu; unfold steepness; field; lra).
-  assert (0 < beta_s h0 * (h0 - h)) by (apply Rmult_lt_0_compat; lra). rewrite <- Hsteep in Hbalance.
-  apply (Rmult_le_compat_r (normal_force (beta_s h0) h0)) in Hshear; lra.
+  apply (Rmult_le_compat_r (normal_force (beta_s h0) h0)) in Hshear; nra.
 Qed.
 
 (** ** [[s,r,r]] *)
@@ -58,11 +57,10 @@ Proof.
   assert (H2 : h0 = h_lower delta beta eta) by easy. apply lower_thrust_cleared in H2; [|lra].
   destruct (Hall 0 ltac:(lra)) as [Hcrown _]. destruct (Hall beta ltac:(lra)) as [Hhaunch _].
   destruct (Hall alpha ltac:(lra)) as [Hshoulder Hfriction]. apply thrust_at_most_h_mu in Hfriction; [|easy].
-  rewrite <- Hstate in Hfriction. revert Hcrown Hhaunch Hshoulder.
+  revert Hcrown Hhaunch Hshoulder.
   apply (no_thinner_arch_by_mechanism 1 0 delta alpha beta eta eta' h0 (extrados eta * h0)); try lra.
   - unfold mechanism, crown_gap, haunch_gap, extrados, intrados, normal_force. lra.
-  - assert (Harm : 0 < thrust_arm 1 0 alpha beta eta) by (unfold thrust_arm, extrados, intrados; lra).
-    assert (0 <= thrust_arm 1 0 alpha beta eta * (h0 - h)) by (apply Rmult_le_pos; lra). lra.
+  - assert (Harm : 0 < thrust_arm 1 0 alpha beta eta) by (unfold thrust_arm, extrados, intrados; lra). nra.
 Qed.
 
 (** ** [[r,r,s]], [[r,s,r]] and [[r,s]] *)
@@ -83,8 +81,7 @@ Proof.
   apply (no_thinner_arch_by_mechanism 0 1 delta alpha beta eta eta' h0
            (extrados eta * normal_force alpha h0 - fac delta eta * (1 - cos alpha))); try lra.
   - unfold mechanism, haunch_gap, shoulder_gap, extrados, intrados, normal_force. lra.
-  - assert (Harm : thrust_arm 0 1 alpha beta eta < 0) by (unfold thrust_arm, extrados, intrados; lra).
-    assert (0 <= - thrust_arm 0 1 alpha beta eta * (h - h0)) by (apply Rmult_le_pos; lra). lra.
+  - assert (Harm : thrust_arm 0 1 alpha beta eta < 0) by (unfold thrust_arm, extrados, intrados; lra). nra.
 Qed.
 
 (** ** [[s,s]] *)
@@ -101,14 +98,14 @@ Proof.
   assert (Hh : 0 <= h) by (rewrite normal_force_at_crown in HN0; lra).
   (* an inner joint wants at least h0, *)
   assert (Hmore : h0 <= h).
-  { apply (thrust_at_least_h_is mu h0 h Hh0 His Hh HNs). unfold friction_holds in *.
+  { apply (thrust_at_least_h_is mu h0 h Hh0 His Hh HNs).
     apply Rle_trans with (mu' * normal_force (beta_s h0) h); [easy|]. apply Rmult_le_compat_r; lra. }
   (* the shoulder wants less *)
   apply thrust_at_most_h_mu in Hshoulder; [|easy]. assert (Hfewer : h_mu alpha mu' < h0).
   { apply Rnot_le_lt. intros H. apply (no_shoulder_sliding alpha mu' h0 HD) in H.
     assert (E : mu * normal_force alpha h0 = - shear_force alpha h0).
     { rewrite Hss, shoulder_friction_from_statics. unfold steepness. field. lra. }
-    assert (mu' * normal_force alpha h0 < mu * normal_force alpha h0) by (now apply Rmult_lt_compat_r). lra. }
+    nra. }
   lra.
 Qed.
 
@@ -118,7 +115,7 @@ Theorem friction_by_two_joints (h alpha mu : R) :
   (forall x, 0 <= x <= alpha -> friction_holds x mu h) <-> mu_is h <= mu /\ mu_ss alpha h <= mu.
 Proof.
   intros Hh Ha HN Hmu Hs. rewrite <- (no_inner_sliding h alpha mu) by lra.
-  rewrite <- (no_outward_sliding h alpha mu) by lra. unfold friction_holds. split.
-  - intros H. split; intros x Hx; specialize (H x Hx); apply Rabs_le_between in H; lra.
+  rewrite <- (no_outward_sliding h alpha mu) by lra. split.
+  - split; intros x Hx; specialize (H x Hx); apply Rabs_le_between in H; lra.
   - intros [Hin Hout] x Hx. apply Rabs_le_between. specialize (Hin x Hx). specialize (Hout x Hx). lra.
 Qed.

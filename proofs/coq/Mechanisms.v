@@ -26,7 +26,7 @@ Lemma moment_of_weight_grows (x y : R) : 0 <= x -> x <= y -> y <= PI / 2 -> x * 
 Proof.
   intros Hx Hxy Hy. destruct (Req_dec x y) as [-> | Hne]; [lra|].
   destruct (MVT_cor2 (fun t => t * sin t + cos t) (fun t => t * cos t) x y) as (c & Hc & Hin); [lra| |].
-  { intros c Hc. apply is_derive_Reals. auto_derive; [easy | ring]. }
+  { intros c Hc. auto_derive; [easy | ring]. }
   assert (0 <= cos c) by (apply cos_ge_0; lra). assert (0 <= c * cos c * (y - x)) by (repeat apply Rmult_le_pos; lra).
   lra.
 Qed.
@@ -36,8 +36,7 @@ Lemma room_without_lever (delta alpha beta eta h p : R) : 0 <= delta <= 1 -> 0 <
   0 < eta <= 2 -> 0 <= h -> intrados eta * cos beta - extrados eta * cos alpha <= 0 ->
   0 < haunch_gap delta beta eta h p + shoulder_gap delta alpha eta h p.
 Proof.
-  intros Hd Hb Ha He Hh Harm. assert (HPI := PI2_3_2).
-  assert (Hcos : cos alpha <= cos beta) by (apply cos_decr_1; lra).
+  intros Hd Hb Ha He Hh Harm. assert (Hcos : cos alpha <= cos beta) by (apply cos_decr_1; lra).
   assert (Hnarrow : 0 <= cos alpha) by (unfold intrados, extrados in Harm; nra). assert (HaPI : alpha <= PI / 2).
   { apply Rnot_lt_le. intros H. assert (cos alpha < 0) by (apply cos_lt_0; lra). lra. }
   assert (Hgrow := moment_of_weight_grows beta alpha ltac:(lra) ltac:(lra) HaPI).
@@ -50,13 +49,11 @@ Proof.
   { unfold haunch_gap, shoulder_gap, normal_force, D, extrados, intrados, fac. field. }
   assert (0 <= D) by (unfold D; lra).
   assert (Hgain : 0 < eta * (6 - delta * eta) / 12) by (apply Rdiv_lt_0_compat; nra).
-  assert (0 <= eta * (6 - delta * eta) / 12 * (cos beta - cos alpha)) by (apply Rmult_le_pos; lra).
-  assert (0 <= eta * (beta * sin beta)) by (apply Rmult_le_pos; lra).
+
   assert (0 <= extrados eta * D) by (apply Rmult_le_pos; [unfold extrados|]; lra).
-  assert (h * (intrados eta * cos beta - extrados eta * cos alpha) <= 0) by nra.
   (* not each term is zero, or the weight of the shoulder would be *)
   apply Rnot_le_lt. intros Hnone. assert (HD0 : D = 0) by (unfold extrados in *; nra).
-  assert (Hb0 : beta * sin beta = 0) by nra. assert (Hc0 : cos beta - cos alpha = 0) by nra. unfold D in HD0. lra.
+  assert (Hb0 : beta * sin beta = 0) by nra. unfold D in HD0. nra.
 Qed.
 
 (** so with the line of thrust on both there is one. *)
@@ -136,10 +133,7 @@ Proof.
   assert (Hmixed : shear_force x h * normal_force x h' - shear_force x h' * normal_force x h = x * (h' - h)).
   { unfold shear_force, normal_force.
     transitivity (x * (h' - h) * (sin x ^ 2 + cos x ^ 2)); [ring | rewrite circle; ring]. }
-  split; intros H.
-  - assert (E : mu * normal_force x h = shear_force x h) by lra. rewrite <- Hmixed, <- E. ring.
-  - assert (E : mu * normal_force x h = - shear_force x h) by lra.
-    replace (shear_force x h) with (- (mu * normal_force x h)) in Hmixed by lra. lra.
+  nra.
 Qed.
 
 (** So with the rates of sliding joints scaled the margins add up to zero in every state. *)
@@ -165,7 +159,6 @@ Proof.
     assert (E : outward_gap alpha mu h = 0) by (apply (Rmult_eq_reg_l t); lra).
     transitivity (t * sin alpha / alpha * (normal_force alpha h * outward_gap alpha mu h'));
       [field; lra | rewrite (Hout E); field; lra]. }
-  rewrite Hinner, Houter.
   assert (Hhinges : u * (crown_gap eta h' p' - crown_gap eta h p)
                     + l * (haunch_gap delta beta eta h' p' - haunch_gap delta beta eta h p)
                     + v * (shoulder_gap delta alpha eta h' p' - shoulder_gap delta alpha eta h p)
@@ -196,45 +189,14 @@ Theorem thicker_arch_has_room (delta alpha beta eta eta' h p : R) :
   exists p', 0 < crown_gap eta' h p' /\ 0 < haunch_gap delta beta eta' h p'
              /\ 0 < shoulder_gap delta alpha eta' h p'.
 Proof.
-  intros Hd Hb Ha He He' Hh Hall. destruct (Hall 0 ltac:(lra)) as (_ & Hlow & Hcrown).
-  destruct (Hall beta ltac:(lra)) as (HNb & Hhaunch & _). destruct (Hall alpha ltac:(lra)) as (HNa & _ & Hshoulder).
-  rewrite normal_force_at_crown, cos_0 in Hlow, Hcrown. assert (Hp : 0 <= p).
-  { assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra. }
-  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  assert (Hvb : 0 <= 1 - cos beta) by (destruct (COS_bound beta); lra).
-  assert (Hcos : cos alpha <= cos beta) by (apply cos_decr_1; lra). set (N := normal_force beta h) in *.
-  set (Na := normal_force alpha h) in *. set (low := intrados eta' * N - fac delta eta' * (1 - cos beta)).
-  set (crown := extrados eta' * h). set (shoulder := extrados eta' * Na - fac delta eta' * (1 - cos alpha)).
-  assert (Hlow_crown : low < crown).
-  { assert (0 <= delta * (eta' ^ 2 - eta ^ 2) * (1 - cos beta)).
-    { repeat apply Rmult_le_pos; try lra. nra. }
-    assert (0 < (eta' - eta) * h) by (apply Rmult_lt_0_compat; lra).
-    assert (0 <= (eta' - eta) * N) by (apply Rmult_le_pos; lra). unfold low, crown, extrados, intrados, fac in *. lra. }
-  assert (Hlow_shoulder : low < shoulder).
-  { set (gap := fun e => extrados e * Na - fac delta e * (1 - cos alpha)
-                         - (intrados e * N - fac delta e * (1 - cos beta))).
-    enough (0 < gap eta') by (unfold gap, low, shoulder in *; lra).
-    assert (Hat_eta : 0 <= gap eta) by (unfold gap; lra). assert (Hat_2 : 0 < gap 2).
-    { assert (Hheld : fac delta eta * (1 - cos alpha) <= extrados eta * Na) by lra.
-      assert (Hgain : 0 < (2 - eta) * (3 - delta * (1 + eta)) / 6 * (1 - cos alpha)).
-      { apply Rmult_lt_0_compat; [|easy]. apply Rdiv_lt_0_compat; [|lra]. apply Rmult_lt_0_compat; nra. }
-      assert (Hlimit : extrados eta * (2 * Na - fac delta 2 * (1 - cos alpha))
-        = 2 * (extrados eta * Na - fac delta eta * (1 - cos alpha)) + (2 - eta) * (3 - delta * (1 + eta)) / 6 *
-        (1 - cos alpha)) by (unfold extrados, fac; field). assert (0 < 2 * Na - fac delta 2 * (1 - cos alpha)).
-      { apply (Rmult_lt_reg_l (extrados eta)); [unfold extrados|]; lra. }
-      assert (0 <= fac delta 2 * (1 - cos beta)) by (apply Rmult_le_pos; [unfold fac|]; lra).
-      unfold gap, extrados, intrados. lra. }
-    assert (Hconcave : (2 - eta) * gap eta' = (2 - eta') * gap eta + (eta' - eta) * gap 2 + delta / 12 *
-      (cos beta - cos alpha) * ((2 - eta) * (2 - eta') * (eta' - eta)))
-      by (unfold gap, extrados, intrados, fac; field).
-    assert (0 <= delta / 12 * (cos beta - cos alpha) * ((2 - eta) * (2 - eta') * (eta' - eta)))
-      by (repeat apply Rmult_le_pos; lra).
-    assert (0 <= (2 - eta') * gap eta) by (apply Rmult_le_pos; lra).
-    assert (0 < (eta' - eta) * gap 2) by (apply Rmult_lt_0_compat; lra). apply (Rmult_lt_reg_l (2 - eta)); lra. }
-  set (top := Rmin crown shoulder). assert (Htop : low < top) by (now apply Rmin_glb_lt).
-  assert (Hc := Rmin_l crown shoulder). assert (Hs := Rmin_r crown shoulder). fold top in Hc, Hs.
-  exists ((low + top) / 2). unfold crown_gap, haunch_gap, shoulder_gap. fold N Na. unfold low, crown, shoulder in *.
-  lra.
+  intros Hd Hb Ha He He' Hh Hall. exists p. destruct (Hall 0 ltac:(lra)) as (_ & Hlow & Hcrown).
+  rewrite normal_force_at_crown, cos_0 in Hlow, Hcrown.
+  assert (0 < (eta' - eta) * h) by (apply Rmult_lt_0_compat; lra).
+  assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). assert (Hp : 0 <= p) by lra.
+  assert (Hroom := fun x Hx H => room_if_thicker delta x eta eta' h p Hd He He' Hp Hx (Hall x H)).
+  split; [unfold crown_gap, extrados in *; lra | split; [| apply Hroom; lra]].
+  destruct (Req_dec beta 0) as [-> | Hne]; [| apply Hroom; lra]. unfold haunch_gap, intrados in *.
+  rewrite normal_force_at_crown, cos_0. lra.
 Qed.
 
 (** Finite friction needs a thrust: next to the crown the weight has no other hold. *)
@@ -243,7 +205,7 @@ Lemma friction_needs_thrust (alpha mu h : R) : 0 < alpha -> 0 <= mu ->
 Proof.
   intros Ha Hmu Hall. assert (Hh : 0 <= h).
   { destruct (Hall 0 ltac:(lra)) as [H _]. rewrite normal_force_at_crown in H. lra. }
-  destruct (Req_dec h 0) as [E | Hne]; [|lra]. exfalso. subst h. set (x := Rmin alpha (/ (mu + 2))).
+  destruct (Req_dec h 0) as [E | Hne]; [|lra]. subst h. set (x := Rmin alpha (/ (mu + 2))).
   assert (Hinv : 0 < / (mu + 2)) by (apply Rinv_0_lt_compat; lra). assert (Hx : 0 < x) by (apply Rmin_glb_lt; lra).
   assert (Hx1 : x <= alpha) by apply Rmin_l. assert (Hx2 : (mu + 2) * x <= 1).
   { replace 1 with ((mu + 2) * / (mu + 2)) by (field; lra). apply Rmult_le_compat_l; [lra | apply Rmin_r]. }
@@ -253,8 +215,7 @@ Proof.
   assert (Hhalf0 : 0 <= sin (x / 2)) by (apply sin_ge_0; assert (HPI := PI2_3_2); nra).
   assert (Hcos : cos x = 1 - 2 * sin (x / 2) * sin (x / 2))
     by (replace (cos x) with (cos (2 * (x / 2))) by (f_equal; field); apply cos_2a_sin).
-  assert (mu * sin x <= mu * x) by (apply Rmult_le_compat_l; lra). assert (mu * sin x < cos x) by nra.
-  assert (x * (mu * sin x) < x * cos x) by (now apply Rmult_lt_compat_l). lra.
+  assert (mu * sin x < cos x) by nra. nra.
 Qed.
 
 (** ** No motion above the least thickness *)
@@ -270,12 +231,11 @@ Proof.
   intros Hd Hb Ha Hs Hmu He He' HNs HNa (h0 & p0 & Hall) Hmoves. assert (Hh0 : 0 < h0).
   { apply (friction_needs_thrust alpha mu); try lra. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. now split. }
   destruct (thicker_arch_has_room delta alpha beta eta eta' h0 p0) as (p' & Hc & Hi & Ho); try easy.
-  { intros x Hx. now apply Hall. }
+  { now apply Hall. }
   assert (Hwork := work_is_the_same delta alpha beta sigma eta' mu h p u l v s t h0 p'
-                     ltac:(lra) ltac:(lra) HNs HNa Hmoves).
-  destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & _). destruct (Hall sigma ltac:(lra)) as [_ Hfs].
-  destruct (Hall alpha ltac:(lra)) as [_ Hfa]. unfold friction_holds in Hfs, Hfa. apply Rabs_le_between in Hfs, Hfa.
-  assert (Hks := slip_factor_positive sigma h ltac:(lra) HNs).
+                     ltac:(lra) ltac:(lra) HNs HNa Hmoves). destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & _).
+  destruct (Hall sigma ltac:(lra)) as [_ Hfs]. destruct (Hall alpha ltac:(lra)) as [_ Hfa].
+  apply Rabs_le_between in Hfs, Hfa. assert (Hks := slip_factor_positive sigma h ltac:(lra) HNs).
   assert (Hka := slip_factor_positive alpha h ltac:(lra) HNa).
   assert (0 <= s * (sin sigma * normal_force sigma h / sigma) * inward_gap sigma mu h0)
     by (apply Rmult_le_pos; [apply Rmult_le_pos | unfold inward_gap]; lra).
@@ -344,12 +304,12 @@ Proof.
       replace (cos y / sin y - cos y' / sin y') with (sin (y' - y) / (sin y * sin y'))
         by (rewrite sin_minus; field; lra).
       apply Rdiv_lt_0_compat; [apply sin_gt_0; lra | now apply Rmult_lt_0_compat]. }
-    assert (phi * cot y' <= phi * cot y) by (apply Rmult_le_compat_l; lra). assert (Hbound : h <= alpha' * cot y').
+    assert (Hbound : h <= alpha' * cot y').
     { apply (Rmult_le_reg_r (sin y')); [easy|]. unfold cot.
       replace (alpha' * (cos y' / sin y') * sin y') with (alpha' * cos y') by (field; lra). lra. }
     assert (Hless : h < alpha * cot y).
     { replace alpha with (y + phi) by (unfold y; ring). replace alpha' with (y' + phi) in Hbound by (unfold y'; ring).
-      lra. }
+      nra. }
     apply (Rmult_lt_compat_r (sin y)) in Hless; [|easy]. unfold cot in Hless.
     replace (alpha * (cos y / sin y) * sin y) with (alpha * cos y) in Hless by (field; lra). lra.
 Qed.
@@ -364,7 +324,7 @@ Proof.
   { apply (friction_needs_thrust alpha' mu); try lra. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. now split. }
   destruct (Hall 0 ltac:(lra)) as [(_ & _ & Hcrown) _]. destruct (Hall beta ltac:(lra)) as [(_ & Hhaunch & _) _].
   destruct (Hall sigma ltac:(lra)) as [_ Hfs]. destruct (Hall alpha' ltac:(lra)) as [(_ & _ & Hshoulder) Hfa].
-  unfold friction_holds in Hfs, Hfa. apply Rabs_le_between in Hfs, Hfa.
+  apply Rabs_le_between in Hfs, Hfa.
   replace (normal_force 0 h0) with h0 in Hcrown by (unfold normal_force; rewrite cos_0, sin_0; ring).
   rewrite cos_0 in Hcrown. assert (HC : 0 <= crown_gap eta h0 p0) by (unfold crown_gap; lra).
   assert (HL : 0 <= haunch_gap delta beta eta h0 p0) by (unfold haunch_gap; lra).
@@ -414,8 +374,8 @@ Proof.
   rewrite normal_force_at_crown, cos_0 in Hcrown. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   set (h0 := h_lower delta beta eta0) in *. apply whole_thrust_cleared in H24; [|lra|lra].
   assert (Hfalls : 0 <= (eta - eta0) * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0))).
-  { apply Rmult_le_pos; [lra|].
-    assert (delta * (2 * eta + 2 * eta0 + eta * eta0) <= 1 * 12) by (apply Rmult_le_compat; nra). lra. }
+  {
+    assert (delta * (2 * eta + 2 * eta0 + eta * eta0) <= 1 * 12) by (apply Rmult_le_compat; nra). nra. }
   assert (Hcut : (2 + eta) * fac delta eta0 - (2 + eta0) * fac delta eta
     = (eta - eta0) * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0))) by (unfold fac; field).
   unfold shoulder_gap, normal_force, extrados in *.

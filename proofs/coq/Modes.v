@@ -90,25 +90,18 @@ Proof.
   assert (HO' := HO m (or_introl eq_refl)). clear Hall HI HO. destruct (Req_dec (rate m) 0) as [E0 | E0].
   { exists u, l, v, s, t. simpl. rewrite E0, !Rmult_0_l, !Rplus_0_l. tauto. }
   assert (Hgap : gap delta eta mu h p m = 0) by (apply (Rmult_eq_reg_l (rate m)); lra).
-  assert (Hrate' : 0 < rate m) by lra.
-  assert (Hadd : forall k a b, k * b = 0 -> a * b = 0 -> (k + a) * b = 0) by (intros; lra). destruct m as [w x k].
-  unfold gap in Hgap. simpl in *. destruct w; simpl in *.
+  assert (Hrate' : 0 < rate m) by lra. destruct m as [w x k]. unfold gap in Hgap. destruct w; simpl in *.
   - destruct (HU x Hx Hgap) as [-> | ->].
     + exists (u + k), l, v, s, t.
       assert (Hc : crown_gap eta h p = 0) by (rewrite <- Hgap; symmetry; apply gap_at_crown).
-      unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt, cos_0. rewrite Hc in *.
-      repeat split; lra.
-    + exists u, l, (v + k), s, t. unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt.
-      rewrite Hgap in *. repeat split; lra.
+      unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt, cos_0. repeat split; nra.
+    + exists u, l, (v + k), s, t. unfold thrust_row, moment_row, of_way in *. simpl. repeat split; nra.
   - assert (x = beta) by (now apply HL). subst x. exists u, (l + k), v, s, t.
-    unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt. rewrite Hgap in *.
-    repeat split; lra.
+    unfold thrust_row, moment_row, of_way in *. simpl. repeat split; nra.
   - assert (x = sigma) by (now apply HI'). subst x. exists u, l, v, (s + k), t.
-    unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt. rewrite Hgap in *.
-    repeat split; lra.
+    unfold thrust_row, moment_row, of_way in *. simpl. repeat split; nra.
   - assert (x = alpha) by (now apply HO'). subst x. exists u, l, v, s, (t + k).
-    unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt. rewrite Hgap in *.
-    repeat split; lra.
+    unfold thrust_row, moment_row, of_way in *. simpl. repeat split; nra.
 Qed.
 
 (** ** Where the joints are *)
@@ -121,12 +114,11 @@ Proof.
   replace (alpha * sin alpha / (1 - cos alpha) * (1 - cos alpha)) with (alpha * sin alpha) by (field; lra).
   destruct (MVT_cor2 (fun t => t * sin t - (2 - t ^ 2) * (1 - cos t)) (fun t =>
     t - sin t + t * (1 - cos t) + t ^ 2 * sin t) 0 alpha) as (c & Hc & Hin); [lra | |].
-  - intros c Hc. apply is_derive_Reals. auto_derive; [easy | ring].
+  - intros c Hc. auto_derive; [easy | ring].
   - rewrite cos_0, sin_0 in Hc. assert (sin c < c) by (apply sin_lt_x; lra).
     assert (0 < sin c) by (apply sin_gt_0; lra).
     assert (0 <= c * (1 - cos c)) by (apply Rmult_le_pos; destruct (COS_bound c); lra).
-    assert (0 < c ^ 2 * sin c) by (apply Rmult_lt_0_compat; nra).
-    assert (0 < (c - sin c + c * (1 - cos c) + c ^ 2 * sin c) * (alpha - 0)) by (apply Rmult_lt_0_compat; lra). lra.
+    assert (0 < c ^ 2 * sin c) by (apply Rmult_lt_0_compat; nra). nra.
 Qed.
 
 Section Places.
@@ -143,15 +135,14 @@ Lemma not_at_both_faces (x : R) : 0 <= x <= alpha ->
   shoulder_gap delta x eta h p = 0 -> haunch_gap delta x eta h p <> 0.
 Proof.
   intros Hx EU EL. assert (HN := compressed state flag opening thickness rough x Hx).
-  unfold shoulder_gap, haunch_gap, extrados, intrados in *.
-  assert (0 < eta * normal_force x h) by (apply Rmult_lt_0_compat; lra). lra.
+  unfold shoulder_gap, haunch_gap, extrados, intrados in *. nra.
 Qed.
 
 (** nor does one slide both ways. *)
 Lemma not_both_ways : inward_gap alpha mu h = 0 -> outward_gap alpha mu h <> 0.
 Proof.
-  intros EI EO. assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
-  unfold inward_gap, outward_gap in *. assert (0 < mu * normal_force alpha h) by (apply Rmult_lt_0_compat; lra). lra.
+  assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)). unfold inward_gap, outward_gap in *.
+  nra.
 Qed.
 
 (** The intrados is not reached at a shoulder that slides outwards: the line of thrust comes from
@@ -159,22 +150,21 @@ Qed.
 Lemma intrados_free_at_sliding_shoulder : outward_gap alpha mu h = 0 -> haunch_gap delta alpha eta h p <> 0.
 Proof.
   intros EO EL. assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
-  assert (Hmu : 0 < mu * normal_force alpha h) by (apply Rmult_lt_0_compat; lra).
   assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra). assert (Hfac := centroids_positive delta eta ltac:(lra)).
   set (D := (fac delta eta - intrados eta) * sin alpha - intrados eta * shear_force alpha h). assert (HD : 0 < D).
   { unfold outward_gap in EO. unfold D.
     assert (0 < (fac delta eta - intrados eta) * sin alpha) by (apply Rmult_lt_0_compat; unfold intrados; lra).
-    assert (0 <= intrados eta * - shear_force alpha h) by (apply Rmult_le_pos; unfold intrados; lra). lra. }
+    assert (0 <= intrados eta * - shear_force alpha h) by (apply Rmult_le_pos; unfold intrados; nra). lra. }
   assert (Hderive : derivable_pt_lim (fun x => haunch_gap delta x eta h p) alpha D).
-  { apply is_derive_Reals. unfold haunch_gap, normal_force. auto_derive; [easy|]. unfold D, shear_force. ring. }
+  { unfold haunch_gap, normal_force. auto_derive; [easy|]. unfold D, shear_force. ring. }
   destruct (Hderive D HD) as (d & Hd). set (k := - Rmin (pos d / 2) (alpha / 2)). assert (Hpos := cond_pos d).
   assert (Hk : 0 < - k) by (unfold k; rewrite Ropp_involutive; apply Rmin_glb_lt; lra).
   assert (B1 : - k <= pos d / 2) by (unfold k; rewrite Ropp_involutive; apply Rmin_l).
   assert (B2 : - k <= alpha / 2) by (unfold k; rewrite Ropp_involutive; apply Rmin_r).
-  assert (Hclose : Rabs k < d) by (rewrite Rabs_left; lra). assert (H := Hd k ltac:(lra) Hclose). cbv beta in H.
-  rewrite EL in H. apply Rabs_def2 in H. destruct (margins_not_negative state (alpha + k) ltac:(lra)) as (_ & HL & _).
+  assert (Hclose : Rabs k < d) by (rewrite Rabs_left; lra). assert (H := Hd k ltac:(lra) Hclose).
+  apply Rabs_def2 in H. destruct (margins_not_negative state (alpha + k) ltac:(lra)) as (_ & HL & _).
   set (L := haunch_gap delta (alpha + k) eta h p) in *. assert (E : (L - 0) / k = - (L / - k)) by (field; lra).
-  assert (0 <= L / - k) by (apply Rdiv_le_0_compat; lra). lra.
+  assert (0 <= L / - k) by (apply Rdiv_le_0_compat; lra). nra.
 Qed.
 
 (** A shoulder on the extrados asks for a thrust. *)
@@ -182,20 +172,19 @@ Lemma thrust_of_extrados : shoulder_gap delta alpha eta h p = 0 -> A alpha <= h 
 Proof.
   intros EU. destruct (margins_not_negative state 0 ltac:(lra)) as (HU & _).
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra). assert (Hfac : fac delta eta <= extrados eta).
-  { unfold fac, extrados. assert (delta * eta ^ 2 <= 1 * eta ^ 2) by (apply Rmult_le_compat_r; nra). nra. }
+  { unfold fac, extrados. nra. }
   unfold A. apply (Rmult_le_reg_r (1 - cos alpha)); [easy|].
   replace (alpha * sin alpha / (1 - cos alpha) * (1 - cos alpha)) with (alpha * sin alpha) by (field; lra).
   unfold shoulder_gap, normal_force in EU, HU. rewrite cos_0, sin_0 in HU.
-  assert (fac delta eta * (1 - cos alpha) <= extrados eta * (1 - cos alpha)) by (apply Rmult_le_compat_r; lra).
-  apply (Rmult_le_reg_l (extrados eta)); [unfold extrados; lra|]. lra.
+  apply (Rmult_le_reg_l (extrados eta)); [unfold extrados; lra|]. nra.
 Qed.
 
 (** So the joint where [T/N] is largest is above a shoulder at a limit, *)
 Lemma steepest_joint_above : h < 1 ->
   shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 -> beta_s h < alpha.
 Proof.
-  intros H1 Hlimit. assert (Hh := thrust). assert (Hb := beta_s_positive h ltac:(lra)).
-  assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)). destruct Hlimit as [EU | EO].
+  intros H1 Hlimit. assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
+  destruct Hlimit as [EU | EO].
   - assert (HA := thrust_of_extrados EU). assert (Hparabola := A_above_parabola alpha opening).
     assert (Hsquare := beta_s_square h ltac:(lra)). nra.
   - apply Rnot_le_lt. intros H.
@@ -204,7 +193,7 @@ Proof.
     { unfold outward_gap in EO. unfold steepness. apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra].
       field_simplify; lra. }
     unfold steepness at 1 in Hgrows. unfold shear_force in Hgrows.
-    rewrite sin_0, Rmult_0_l, Rmult_0_r, Rminus_0_r in Hgrows. unfold Rdiv in Hgrows. lra.
+    rewrite sin_0, Rmult_0_l, Rmult_0_r, Rminus_0_r in Hgrows. lra.
 Qed.
 
 (** and if one slides inwards it is that one. *)
@@ -212,17 +201,14 @@ Lemma slides_at_steepest_joint (sigma : R) : 0 < sigma <= alpha -> inward_gap si
   shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 ->
   h < 1 /\ sigma = beta_s h /\ beta_s h < alpha /\ mu = mu_is h.
 Proof.
-  intros Hs EI Hlimit. assert (Hh := thrust).
-  assert (HN : forall x, 0 <= x <= alpha -> 0 < normal_force x h)
-    by (intros x; now apply (@compressed delta alpha eta mu h p)).
-  assert (HNa := HN alpha ltac:(lra)). assert (HNs := HN sigma ltac:(lra)). assert (Hsteep : steepness sigma h = mu).
+  intros Hs EI Hlimit. assert (HN : forall x, 0 <= x <= alpha -> 0 < normal_force x h)
+    by (intros x; now apply (@compressed delta alpha eta mu h p)). assert (HNa := HN alpha ltac:(lra)).
+  assert (HNs := HN sigma ltac:(lra)). assert (Hsteep : steepness sigma h = mu).
   { unfold inward_gap in EI. unfold steepness. apply (Rmult_eq_reg_r (normal_force sigma h)); [|lra].
     field_simplify; lra. }
   assert (H1 : h < 1).
-  { apply Rnot_le_lt. intros H. assert (Hbelow := times_cosine_below_sine sigma ltac:(lra)).
-    assert (0 < sin sigma) by (apply sin_gt_0; lra).
-    assert (0 < mu * normal_force sigma h) by (apply Rmult_lt_0_compat; lra). unfold inward_gap, shear_force in EI.
-    nra. }
+  { assert (Hbelow := times_cosine_below_sine sigma ltac:(lra)). assert (0 < sin sigma) by (apply sin_gt_0; lra).
+    unfold inward_gap, shear_force in EI. nra. }
   assert (Hb := beta_s_positive h ltac:(lra)). assert (Habove := steepest_joint_above H1 Hlimit).
   assert (Es : sigma = beta_s h).
   { destruct (Req_dec sigma (beta_s h)) as [E | E]; [easy | exfalso].
@@ -246,14 +232,13 @@ Theorem limits_of_a_state (x y : R) : 0 <= x <= alpha -> 0 <= y <= alpha ->
   (inward_gap x mu h = 0 -> inward_gap y mu h = 0 -> x = y) /\ (outward_gap x mu h = 0 -> x = alpha) /\
   (inward_gap x mu h = 0 -> shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 -> 0 < x < alpha).
 Proof.
-  intros Hx Hy. split; [|split; [|split; [|split]]].
+  split; [|split; [|split; [|split]]].
   - now apply (extrados_reached state).
   - now apply (intrados_reached_once state).
   - now apply (inward_limit_reached_once state).
   - now apply (outward_limit_reached state).
   - intros EI Hlimit. destruct (Req_dec x 0) as [-> | Hne].
-    + unfold inward_gap, shear_force in EI. rewrite normal_force_at_crown, sin_0 in EI.
-      assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra.
+    + unfold inward_gap, shear_force in EI. rewrite normal_force_at_crown, sin_0 in EI. nra.
     + destruct (slides_at_steepest_joint x ltac:(lra) EI Hlimit) as (_ & E & Habove & _). lra.
 Qed.
 
@@ -287,7 +272,7 @@ Proof.
   - intros m Hm Hrate E. destruct (Hall m Hm) as (Hx & _ & Hzero). unfold gap in Hzero. rewrite E in Hzero.
     apply (@outward_limit_reached delta alpha eta mu h p); try easy. apply (Rmult_eq_reg_l (rate m)); lra.
   - exists beta, sigma, u, l, v, s, t. repeat split; try easy; try apply Hpos; try apply Hways; try lra.
-    rewrite Wthrust in W. rewrite Wmoment in M. replace l with (u + v) in W by lra. lra.
+    replace l with (u + v) in W by lra. lra.
 Qed.
 
 (** And that is a sum of the modes, with the joints where these have them. *)
@@ -302,11 +287,9 @@ Theorem sum_of_modes (beta sigma u l v s t : R) : 0 <= beta <= alpha -> 0 < sigm
     (0 < x3 \/ 0 < x4 -> 0 < sigma < alpha) /\
     (0 < u + l + v + s + t -> 0 < x1 + x2 + x3 + x4).
 Proof.
-  intros Hb Hs Hmoves a b. assert (HPI := PI_RGT_0). assert (Hh := thrust).
-  destruct (four_supports delta alpha beta sigma eta mu h p u l v s t)
-    as (x1 & x2 & x3 & x4 & P1 & P2 & P3 & P4 & Eu & Ev & Es & Et & El); try easy; try lra.
-  fold a in Eu. fold b in Ev. destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & _ & HC & HL & HU & HI & HO).
-  assert (Ha : 0 < a).
+  intros Hb Hs Hmoves a b. destruct (four_supports delta alpha beta sigma eta mu h p u l v s t)
+    as (x1 & x2 & x3 & x4 & P1 & P2 & P3 & P4 & Eu & Ev & Es & Et & El); try easy; try lra. fold a in Eu.
+  fold b in Ev. destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & _ & HC & HL & HU & HI & HO). assert (Ha : 0 < a).
   { unfold a, extrados, intrados. destruct (COS_bound beta).
     assert (-1 < cos beta) by (rewrite <- cos_PI; apply cos_decreasing_1; lra). nra. }
   assert (Hzero : forall k g, 0 < k -> k * g = 0 -> g = 0) by (intros k g Hk E; apply (Rmult_eq_reg_l k); lra).
@@ -327,7 +310,7 @@ Proof.
     apply (not_at_both_faces alpha); [lra | now apply (Hzero v)|]. assert (EL := Hzero l _ ltac:(lra) HL).
     now rewrite E in EL. }
   exists x1, x2, x3, x4. do 11 (split; [easy|]). split; [|split; [|split]].
-  - intros H. split.
+  - split.
     + destruct H as [H | H]; apply Hcrown, (Hfactor u a (x1 + x2)); try easy; lra.
     + destruct H as [H | H].
       * apply Hshoulder, (Hfactor v b (x1 + x3)); try easy; lra.
@@ -336,18 +319,17 @@ Proof.
         destruct (Req_dec beta alpha) as [E | E]; [exfalso | lra].
         apply intrados_free_at_sliding_shoulder; [now apply (Hzero t)|]. assert (EL := Hzero l _ ltac:(lra) HL).
         now rewrite E in EL.
-  - intros H. split; [lra|]. apply Hshoulder, (Hfactor v b (x1 + x3)); try easy; lra.
-  - intros H. split; [lra|]. assert (Hs1 : 0 < s) by (apply (Hfactor s (sin sigma) (x3 + x4)); try easy; lra).
+  - split; [lra|]. apply Hshoulder, (Hfactor v b (x1 + x3)); try easy; lra.
+  - intros H. assert (Hs1 : 0 < s) by (apply (Hfactor s (sin sigma) (x3 + x4)); try easy; lra).
     assert (EI := Hzero s _ Hs1 HI). destruct (Req_dec sigma alpha) as [E | E]; [exfalso | lra]. rewrite E in EI.
     destruct H as [H | H].
     + assert (Hv0 : 0 < v) by (apply (Hfactor v b (x1 + x3)); try easy; lra).
       apply extrados_free_at_inward_shoulder; [now apply (Hzero v) | easy].
     + assert (Ht0 : 0 < t) by (apply (Hfactor t (sin alpha) (x2 + x4)); try easy; lra).
       apply not_both_ways; [easy | now apply (Hzero t)].
-  - intros Hsome. apply Rnot_le_lt. intros Hnone.
-    assert (x1 = 0 /\ x2 = 0 /\ x3 = 0 /\ x4 = 0) as (E1 & E2 & E3 & E4) by lra.
-    assert (Eu0 : u = 0) by (apply (Hzero a); lra). assert (Es0 : s = 0) by (apply (Hzero (sin sigma)); lra).
-    assert (Et0 : t = 0) by (apply (Hzero (sin alpha)); lra). destruct (Req_dec v 0) as [Ev0 | Ev0]; [lra|].
+  - intros Hsome. apply Rnot_le_lt. intros Hnone. assert (Eu0 : u = 0) by (apply (Hzero a); lra).
+    assert (Es0 : s = 0) by (apply (Hzero (sin sigma)); lra).
+    assert (Et0 : t = 0) by (apply (Hzero (sin alpha)); lra).
     assert (0 < b * v) by (apply Rmult_lt_0_compat; [apply Harm|]; lra). lra.
 Qed.
 
@@ -378,11 +360,11 @@ Proof.
   assert (Hextrados : forall x, 0 <= x <= alpha -> shoulder_gap delta x eta h p = 0 -> x = 0 \/ x = alpha).
   { intros x Hx E. destruct (Req_dec x 0) as [H0 | H0]; [now left|].
     destruct (Req_dec x alpha) as [H1 | H1]; [now right | exfalso]. destruct (Hgaps 0 ltac:(lra)) as [HC _].
-    destruct (Hgaps alpha ltac:(lra)) as [HS _]. rewrite Hcrown in HC.
-    assert (H : 0 < shoulder_gap delta x eta h p); [|lra]. apply (extrados_clear_within delta x alpha); try easy; lra. }
+    destruct (Hgaps alpha ltac:(lra)) as [HS _]. assert (H : 0 < shoulder_gap delta x eta h p); [|lra].
+    apply (extrados_clear_within delta x alpha); try easy; lra. }
   assert (Honce : forall x y, 0 <= x <= alpha -> 0 <= y <= alpha ->
             haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y).
-  { intros x y. apply intrados_touched_once; try easy; try lra. intros z Hz. now apply Hgaps. }
+  { intros x y. apply intrados_touched_once; try easy; try lra. now apply Hgaps. }
   assert (Hhaunch : exists beta, 0 <= beta <= alpha /\
             forall x, 0 <= x <= alpha -> haunch_gap delta x eta h p = 0 -> x = beta).
   { destruct (Classical_Prop.classic (exists b, 0 <= b <= alpha /\ haunch_gap delta b eta h p = 0))
@@ -399,9 +381,9 @@ Proof.
     rewrite IH; [|now intros n Hn; apply Hhinges; right].
     destruct (Hhinges m (or_introl eq_refl)) as [E | E]; destruct Hw as [-> | ->]; unfold of_way; rewrite E; ring. }
   rewrite (Hslips SlidesInwards) in Ws by tauto. rewrite (Hslips SlidesOutwards) in Wt by tauto. subst s t.
-  rewrite Wthrust in W. rewrite Wmoment in M. assert (El' : l = u + v) by lra. rewrite El' in El, W, Wl, Hpos.
-  clear El' M l. assert (Hmoves : moves delta alpha beta alpha eta 0 h p u (u + v) v 0 0).
-  { destruct Hpos as (Pu & Pl & Pv & _). unfold moves, in_balance. repeat split; try easy; lra. }
+  rewrite Wthrust in W. assert (El' : l = u + v) by lra. rewrite El' in El, W, Wl, Hpos. clear El' M l.
+  assert (Hmoves : moves delta alpha beta alpha eta 0 h p u (u + v) v 0 0).
+  { repeat split; try easy; lra. }
   destruct (four_supports delta alpha beta alpha eta 0 h p u (u + v) v 0 0)
     as (x1 & x2 & x3 & x4 & P1 & P2 & P3 & P4 & Fu & Fv & Fs & Ft & _); try easy; try lra.
   assert (x2 = 0 /\ x3 = 0 /\ x4 = 0) as (-> & -> & ->) by lra. exists beta, u, v. split; [easy|]. split; [easy|].
@@ -411,32 +393,24 @@ Proof.
   { intros Hv0. apply (lever_positive_in_any_state delta alpha beta eta h p); try easy; try lra.
     apply (Rmult_eq_reg_l v); lra. }
   assert (Harm' : 0 < extrados eta - intrados eta * cos beta).
-  { unfold extrados, intrados. destruct (COS_bound beta).
-    assert (-1 < cos beta) by (rewrite <- cos_PI; apply cos_decreasing_1; lra). nra. }
+  { unfold extrados, intrados. destruct (COS_bound beta). nra. }
   assert (Hv0 : 0 < v).
   { destruct (Req_dec v 0) as [Z | Z]; [exfalso | lra]. rewrite Z, Rmult_0_r in Fv. assert (u = 0); [|lra].
     apply (Rmult_eq_reg_l (extrados eta - intrados eta * cos beta)); lra. }
-  assert (Hu0 : 0 < u).
-  { destruct (Req_dec u 0) as [Z | Z]; [exfalso | lra]. rewrite Z, Rmult_0_r in Fu.
-    assert (0 < (intrados eta * cos beta - extrados eta * cos alpha) * v)
-      by (apply Rmult_lt_0_compat; [now apply Harm | easy]).
-    lra. }
-  assert (HC : crown_gap eta h p = 0) by (apply (Rmult_eq_reg_l u); lra).
+  assert (Hu0 : 0 < u) by nra. assert (HC : crown_gap eta h p = 0) by (apply (Rmult_eq_reg_l u); lra).
   assert (HS : shoulder_gap delta alpha eta h p = 0) by (apply (Rmult_eq_reg_l v); lra). split; [easy|]. split.
-  - intros Hh0. split.
+  - split.
     + destruct (Req_dec beta 0) as [E | E]; [exfalso | lra]. rewrite E in HL. unfold haunch_gap, normal_force in HL.
-      rewrite cos_0, sin_0 in HL. unfold crown_gap, extrados, intrados in *.
-      assert (0 < eta * h) by (apply Rmult_lt_0_compat; lra). lra.
+      rewrite cos_0, sin_0 in HL. unfold crown_gap, extrados, intrados in *. nra.
     + destruct (Req_dec beta alpha) as [E | E]; [exfalso | lra]. rewrite E in HL.
       assert (Hfac := centroids_positive delta eta ltac:(lra)).
       assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
       assert (0 < fac delta eta * (1 - cos alpha)) by (apply Rmult_lt_0_compat; lra). assert (0 <= p).
       { destruct (Hgaps 0 ltac:(lra)) as [_ HL0]. unfold haunch_gap, normal_force in HL0. rewrite cos_0, sin_0 in HL0.
         assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra. }
-      unfold shoulder_gap, haunch_gap, extrados, intrados in HS, HL. assert (eta * normal_force alpha h = 0) by lra.
-      assert (EN : normal_force alpha h = 0) by (apply (Rmult_eq_reg_l eta); lra). rewrite EN in HS. lra.
+      unfold shoulder_gap, haunch_gap, extrados, intrados in HS, HL. nra.
   - intros Hh0. split.
-    + symmetry. apply Hbeta; [lra|]. destruct (Hgaps 0 ltac:(lra)) as [_ HL0].
-      unfold haunch_gap, normal_force, crown_gap in *. rewrite cos_0, sin_0, Hh0 in *. lra.
-    + unfold crown_gap in HC. rewrite Hh0 in HC. lra.
+    + symmetry. apply Hbeta; [lra|]. unfold haunch_gap, normal_force, crown_gap in *. rewrite cos_0, sin_0, Hh0 in *.
+      lra.
+    + unfold crown_gap in HC. nra.
 Qed.

@@ -50,7 +50,7 @@ Theorem inside_with_haunch (delta alpha beta eta h p : R) : 0 < beta < alpha -> 
   intrados eta * normal_force beta h <= p + fac delta eta * (1 - cos beta) -> h = h_tangency delta beta eta ->
   thrust_inside delta alpha eta h p.
 Proof.
-  unfold at_crown, at_shoulder. intros Hb Ha He Hh HN Hcrown Hshoulder Htouch H5 x Hx. split; [|split].
+  unfold at_crown, at_shoulder. split; [|split].
   - apply Rlt_le, (normal_force_positive alpha); lra.
   - apply (intrados_safe delta beta); try easy; lra.
   - apply (extrados_safe delta alpha); try lra. unfold extrados; lra.
@@ -69,7 +69,7 @@ Proof.
     apply margin_falls_from_crown; lra.
   - apply (extrados_safe delta alpha); try easy; try lra.
     + unfold extrados; lra.
-    + rewrite Hcrown. unfold extrados, intrados in *. nra.
+    + unfold extrados, intrados in *. nra.
 Qed.
 
 (** ** Friction *)
@@ -92,26 +92,32 @@ Qed.
 
 (** ** From the state's thickness on *)
 
+Lemma thicker_stands (delta alpha eta eta' h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= eta' ->
+  eta' <= 2 -> 0 <= h -> thrust_inside delta alpha eta h p -> thrust_inside delta alpha eta' h p.
+Proof.
+  intros Hd Ha He He' Hh Hall x Hx. apply (joint_stands_if_thicker delta x eta); try easy; [| now apply Hall].
+  destruct (Hall 0 ltac:(lra)) as (_ & Hin & _). rewrite normal_force_at_crown, cos_0 in Hin.
+  assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra.
+Qed.
+
 Lemma stands_from_there (delta alpha eta mu h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
-  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h -> admissible delta alpha eta mu h p ->
-  (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
+  admissible delta alpha eta mu h p -> (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
   stands_from delta alpha mu eta.
 Proof.
-  intros Hd Ha He Hh Hlimit Hstands Hnone eta' He'. split.
+  intros Hd Ha He Hh Hstands Hnone eta' He'. split.
   - intros H. apply Rnot_lt_le. intros Hthin. apply (Hnone eta'); [lra | exact H].
-  - intros Hthick. destruct (thicker_arch_stands_by_limit delta alpha eta eta' h p) as [p' Hp]; try lra.
-    + intros x Hx. now apply Hstands.
-    + exists h, p'. intros x Hx. split; [now apply Hp | now apply Hstands].
+  - exists h, p. intros x Hx. split; [| now apply Hstands]. apply (thicker_stands delta alpha eta); try lra.
+    intros y Hy. now apply Hstands.
 Qed.
 
 Lemma stands_without_limit_from_there (delta alpha eta h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 ->
-  0 <= h -> fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h -> thrust_inside delta alpha eta h p ->
+  0 <= h -> thrust_inside delta alpha eta h p ->
   (forall eta', 0 < eta' < eta -> ~ exists h p, thrust_inside delta alpha eta' h p) ->
   stands_without_limit_from delta alpha eta.
 Proof.
-  intros Hd Ha He Hh Hlimit Hstands Hnone eta' He'. split.
+  intros Hd Ha He Hh Hstands Hnone eta' He'. split.
   - intros H. apply Rnot_lt_le. intros Hthin. apply (Hnone eta'); [lra | exact H].
-  - intros Hthick. exists h. apply (thicker_arch_stands_by_limit delta alpha eta eta' h p); try lra. exact Hstands.
+  - exists h, p. now apply (thicker_stands delta alpha eta).
 Qed.
 
 (** ** The modes *)
@@ -194,7 +200,7 @@ Qed.
 Theorem rotational (beta eta h : R) :
   h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\ h = h_tangency delta beta eta -> 0 < eta -> eta < 2 ->
   0 < h -> h < 1 -> 0 < beta -> beta < alpha -> 0 < normal_force alpha h -> beta_s h <= alpha ->
-  mu_ss alpha h <= mu -> mu_is h <= mu -> fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
+  mu_ss alpha h <= mu -> mu_is h <= mu ->
   admissible delta alpha eta mu h (at_crown eta h) /\ stands_from delta alpha mu eta.
 Proof.
   intros E **.
@@ -208,7 +214,6 @@ Qed.
 Theorem rotational_without_limit (beta eta h : R) :
   h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\ h = h_tangency delta beta eta ->
   0 < eta -> eta < 2 -> 0 < h -> 0 < beta -> beta < alpha -> 0 < normal_force alpha h ->
-  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   thrust_inside delta alpha eta h (at_crown eta h) /\ stands_without_limit_from delta alpha eta.
 Proof.
   intros E **. assert (A := rotational_inside beta eta h E ltac:(easy)).
@@ -223,7 +228,6 @@ Theorem sliding_rotational (beta eta h : R) :
   h = h_lower delta beta eta /\ h = h_tangency delta beta eta /\ mu = mu_ss alpha h -> 0 < eta -> eta < 2 -> 0 < h ->
   h < 1 -> 0 < beta -> beta < alpha -> 0 < normal_force alpha h -> at_crown eta h <= at_shoulder delta alpha eta h ->
   beta_s h <= alpha -> mu_is h <= mu -> 0 < sin alpha - mu * cos alpha ->
-  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   admissible delta alpha eta mu h (at_crown eta h) /\ stands_from delta alpha mu eta.
 Proof.
   intros (H2 & H5 & H17) **. assert (Hh := haunch_from_crown beta eta h ltac:(lra) H2).
@@ -240,7 +244,7 @@ Theorem rotational_sliding (beta eta h joint : R) :
   h = h_upper delta alpha beta eta /\ h = h_tangency delta beta eta /\ mu = mu_is h /\ joint = beta_s h -> 0 < eta ->
   eta < 2 -> 0 < h -> h < 1 -> 0 < beta -> beta < alpha -> 0 < normal_force alpha h ->
   at_shoulder delta alpha eta h <= at_crown eta h -> joint <= alpha -> mu_ss alpha h <= mu ->
-  0 < (2 - eta) * cos beta - (2 + eta) * cos alpha -> fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
+  0 < (2 - eta) * cos beta - (2 + eta) * cos alpha ->
   admissible delta alpha eta mu h (at_shoulder delta alpha eta h) /\
   stands_from delta alpha mu eta.
 Proof.
@@ -256,7 +260,6 @@ Qed.
 Theorem overturning_sliding (eta h joint : R) : h = h_upper delta alpha 0 eta /\ mu = mu_is h /\ joint = beta_s h ->
   0 < eta -> eta <= 2 -> 0 < h -> h < 1 -> 0 < normal_force alpha h -> intrados eta * (2 - h) <= fac delta eta ->
   joint <= alpha -> mu_ss alpha h <= mu -> 0 < (2 - eta) * cos 0 - (2 + eta) * cos alpha ->
-  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   admissible delta alpha eta mu h (at_shoulder delta alpha eta h) /\
   stands_from delta alpha mu eta.
 Proof.
@@ -274,11 +277,10 @@ Qed.
 (** Without thrust, at unlimited friction. *)
 Theorem overturning (eta : R) : 0 = h_whole delta alpha eta -> 0 < eta -> eta <= 2 ->
   intrados eta * (2 - 0) <= fac delta eta -> 0 < (2 - eta) * cos 0 - (2 + eta) * cos alpha ->
-  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha 0 ->
   thrust_inside delta alpha eta 0 0 /\ stands_without_limit_from delta alpha eta.
 Proof.
   intros H4 **. assert (Hs := shoulder_from_crown eta 0 ltac:(lra) H4). unfold at_crown in Hs.
-  rewrite Rmult_0_r in Hs. assert (A : thrust_inside delta alpha eta 0 0).
+  assert (A : thrust_inside delta alpha eta 0 0).
   { apply inside_from_crown; try easy; try lra. intros x Hx. unfold normal_force. rewrite Rmult_0_l, Rplus_0_l.
     apply Rmult_le_pos; [lra | apply sin_ge_0; lra]. }
   split; [exact A|]. apply (stands_without_limit_from_there _ _ _ 0 0); try easy; try lra.
@@ -287,8 +289,7 @@ Proof.
   - unfold mechanism, haunch_gap, shoulder_gap. unfold at_shoulder in Hs. unfold normal_force in *.
     rewrite cos_0, sin_0. lra.
   - destruct (Hall 0 ltac:(lra)) as [HN _]. unfold normal_force in HN. rewrite cos_0, sin_0 in *.
-    unfold thrust_arm, extrados, intrados.
-    assert (0 <= ((2 - eta) * 1 - (2 + eta) * cos alpha) * h) by (apply Rmult_le_pos; lra). rewrite cos_0. lra.
+    unfold thrust_arm, extrados, intrados. rewrite cos_0. nra.
 Qed.
 
 End Modes.
@@ -310,8 +311,6 @@ Proof.
     { transitivity (sin alpha * normal_force alpha h - cos alpha * (mu * normal_force alpha h)); [ring|].
       rewrite Hmore. unfold normal_force.
       transitivity (alpha * (sin alpha ^ 2 + cos alpha ^ 2)); [ring | rewrite Hcircle; ring]. }
-    assert (0 < sin alpha - mu * cos alpha).
-    { apply (Rmult_lt_reg_r (normal_force alpha h)); [easy|]. rewrite Rmult_0_l. lra. }
-    destruct (Rle_lt_dec 0 (cos alpha)); nra. }
+    assert (0 < sin alpha - mu * cos alpha) by nra. destruct (Rle_lt_dec 0 (cos alpha)); nra. }
   now apply (no_arch_below_purely_sliding delta alpha eta mu mu' h); try lra.
 Qed.

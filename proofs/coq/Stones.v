@@ -27,10 +27,8 @@ Lemma held_between h k m : is_held h -> is_held k -> h <= m <= k -> is_held m.
 Proof.
   intros Hh Hk Hm x Hx. assert (A := Hh x Hx). assert (B := Hk x Hx).
   unfold friction_holds, normal_force, shear_force in *. rewrite Rabs_le_between in *.
-  destruct (Req_dec h k) as [<- | Hne]; [replace m with h by lra; exact A |]. set (t := (m - h) / (k - h)).
-  assert (0 <= t <= 1).
-  { unfold t. split; [apply Rdiv_le_0_compat | apply (Rmult_le_reg_r (k - h)); [| field_simplify]]; lra. }
-  replace m with ((1 - t) * h + t * k) by (unfold t; field; lra). nra.
+  destruct (Req_dec h k) as [<- | Hne]; [replace m with h by lra; exact A |].
+  nra.
 Qed.
 
 Section Thickness.
@@ -48,7 +46,7 @@ Lemma room_of_joint x h p : (forall y, In y (0 :: x :: alpha :: nil) -> joint_st
 Proof.
   intros H. destruct (H 0 ltac:(simpl; auto)) as (N & _ & U0). destruct (H x ltac:(simpl; auto)) as (_ & L & _).
   destruct (H alpha ltac:(simpl; auto)) as (_ & _ & U). unfold normal_force in N, U0. rewrite cos_0, sin_0 in N, U0.
-  split; [lra |]. enough (p <= largest_moment h) by (unfold room_at, haunch_gap; lra). unfold largest_moment, lead.
+  enough (p <= largest_moment h) by (unfold room_at, haunch_gap; lra). unfold largest_moment, lead.
   apply Rmin_case; lra.
 Qed.
 
@@ -58,8 +56,7 @@ Proof.
   intros Hx Hh Hroom. assert (m0 := Rmin_l 0 (lead h)). assert (m1 := Rmin_r 0 (lead h)).
   assert (U : largest_moment h + fac delta eta * (1 - cos x) <= extrados eta * normal_force x h).
   { apply (extrados_safe delta alpha); try easy; unfold largest_moment, lead, extrados in *; lra. }
-  unfold room_at, haunch_gap in Hroom. refine (conj _ (conj _ U)); [| lra]. apply (Rmult_le_reg_l eta); [lra |].
-  unfold extrados, intrados in *. lra.
+  unfold room_at, haunch_gap in Hroom. refine (conj _ (conj _ U)); [| lra]. unfold extrados, intrados in *. nra.
 Qed.
 
 (** Up to the thrust of (4) the room grows with the thrust, and from there on it falls or is no question. *)
@@ -75,11 +72,11 @@ Proof.
   intros Hx Hhk Hh. unfold room_at, largest_moment. rewrite (Rmin_right 0 (lead h)) by exact Hh.
   assert (m := Rmin_r 0 (lead k)).
   destruct (Rle_dec (intrados eta * cos x - extrados eta * cos alpha) 0) as [Hno | Harm].
-  - intros _. set (p := extrados eta * h + lead h).
+  - set (p := extrados eta * h + lead h).
     assert (H := room_without_lever delta alpha x eta h p weight Hx opening thick ltac:(lra) Hno).
     assert (Z : shoulder_gap delta alpha eta h p = 0) by (unfold shoulder_gap, p, lead; ring). lra.
-  - assert (0 <= (intrados eta * cos x - extrados eta * cos alpha) * (k - h)) by (apply Rmult_le_pos; lra).
-    unfold haunch_gap, lead, normal_force, extrados, intrados in *. lra.
+  -
+    unfold haunch_gap, lead, normal_force, extrados, intrados in *. nra.
 Qed.
 
 (** Of two thrusts one, or that of (4) between them, leaves room wherever one of them does. *)
@@ -125,7 +122,7 @@ Proof.
   split.
   - intros (h & p & Hheld & H) x Hx. exists h, p. split; [easy |]. intros y [<- | [<- | [<- | []]]]; now apply H.
   - intros H. destruct (one_thrust joints) as (h & Hheld & Hh & Hroom).
-    + intros x Hx. split; [now apply within | now apply H].
+    + split; [now apply within | now apply H].
     + intros E. now rewrite E in crown.
     + exists h, (largest_moment h). split; [easy |]. intros x Hx.
       apply joint_of_room; [now apply within | exact Hh | now apply Hroom].
@@ -144,7 +141,7 @@ Proof.
   intros He He' (h & p & Hheld & H). exists h, p. split; [easy |]. intros y Hy.
   apply (joint_stands_if_thicker delta y eta); try easy; [| now apply H].
   destruct (H 0 ltac:(simpl; auto)) as (N & L & _). unfold normal_force, intrados in *. rewrite cos_0, sin_0 in *.
-  assert (0 <= (1 - eta / 2) * h) by (apply Rmult_le_pos; lra). lra.
+  nra.
 Qed.
 
 End Stones.

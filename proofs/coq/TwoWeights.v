@@ -28,9 +28,8 @@ Proof.
   assert (Harm := lever_positive_in_any_state delta alpha beta eta h0 p0 ltac:(lra) ltac:(lra) opening
                     thickness ltac:(lra) EL EU).
   assert (Hcos : cos alpha < cos beta) by (apply cos_decreasing_1; lra).
-  assert (0 < (fac delta' eta - fac delta eta) * (cos beta - cos alpha)) by (apply Rmult_lt_0_compat; lra).
-  assert (0 <= (h - h0) * (intrados eta * cos beta - extrados eta * cos alpha)) by (apply Rmult_le_pos; lra).
-  unfold haunch_gap, shoulder_gap, normal_force in *. lra.
+
+  unfold haunch_gap, shoulder_gap, normal_force in *. nra.
 Qed.
 
 (** With a hinge at the crown too it has none with any thrust. *)
@@ -39,10 +38,9 @@ Lemma no_room_under_rotation (beta h0 p0 h p : R) : 0 < beta < alpha -> 0 < cos 
   0 <= crown_gap eta h p -> 0 <= haunch_gap delta' beta eta h p ->
   shoulder_gap delta' alpha eta h p < 0.
 Proof.
-  intros Hb Hcos Hh EC EL EU HC HL. apply Rnot_le_lt. intros HU. assert (Hfac := centroid_factor_grows).
+  intros Hb Hcos Hh EC EL EU HC HL. assert (Hfac := centroid_factor_grows).
   assert (Harm := lever_positive_in_any_state delta alpha beta eta h0 p0 ltac:(lra) ltac:(lra) opening
-                    thickness Hh EL EU).
-  set (a := extrados eta - intrados eta * cos beta).
+                    thickness Hh EL EU). set (a := extrados eta - intrados eta * cos beta).
   set (b := intrados eta * cos beta - extrados eta * cos alpha) in *. assert (Ha : 0 < a).
   { unfold a, extrados, intrados. destruct (COS_bound beta). nra. }
   (* the work of the mechanism of rotation is that of the heavier weight alone *)
@@ -50,12 +48,11 @@ Proof.
     h p = b * crown_gap eta h0 p0 + (a + b) * haunch_gap delta beta eta h0 p0 + a * shoulder_gap delta alpha eta h0 p0
     - (fac delta' eta - fac delta eta) * (1 - cos alpha) * (eta * cos beta)).
   { unfold a, b, crown_gap, haunch_gap, shoulder_gap, normal_force, extrados, intrados. field. }
-  rewrite EC, EL, EU in Hwork. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (0 < (fac delta' eta - fac delta eta) * (1 - cos alpha) * (eta * cos beta))
     by (repeat apply Rmult_lt_0_compat; lra).
-  assert (0 <= b * crown_gap eta h p) by (apply Rmult_le_pos; lra).
-  assert (0 <= (a + b) * haunch_gap delta' beta eta h p) by (apply Rmult_le_pos; lra).
-  assert (0 <= a * shoulder_gap delta' alpha eta h p) by (apply Rmult_le_pos; lra). lra.
+
+  nra.
 Qed.
 
 (** A haunch that the line of thrust touches is below a right angle. *)
@@ -66,9 +63,7 @@ Proof.
   intros Hb Hh Hall EL. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
   assert (Htouch := haunch_of_wide_arch delta alpha eta h p beta opening thickness Hall EL Hb).
   assert (Hfac := centroids_positive delta eta ltac:(lra)). assert (Hcot : 0 < beta * cot beta).
-  { unfold intrados in Htouch. apply Rnot_le_lt. intros H.
-    assert (0 <= (1 - eta / 2) * - (beta * cot beta)) by (apply Rmult_le_pos; lra).
-    assert (0 <= (1 - eta / 2) * h) by (apply Rmult_le_pos; lra). lra. }
+  { unfold intrados in Htouch. nra. }
   unfold cot in Hcot. apply Rnot_le_lt. intros H. assert (0 <= beta * - (cos beta / sin beta)).
   { apply Rmult_le_pos; [lra|]. replace (- (cos beta / sin beta)) with (- cos beta / sin beta) by (field; lra).
     apply Rdiv_le_0_compat; lra. }
@@ -94,7 +89,7 @@ Proof.
     { destruct (Hall (beta_s h0) ltac:(lra)) as [[HN _] Hf]. apply (thrust_at_least_h_is mu h0 h); easy || lra. }
     destruct (Hgaps beta ltac:(lra)) as [_ HL].
     assert (H := no_room_with_more_thrust beta h0 p0 h p Hb ltac:(lra) EL EU HL). lra.
-  - destruct m; simpl in R2; try lia; [|easy]. simpl in Hlimits. destruct Hlimits as (Hb & EC & EL & EU).
+  - destruct m; simpl in R2; try lia; [|easy]. destruct Hlimits as (Hb & EC & EL & EU).
     assert (Hcos := haunch_below_right_angle beta h0 p0 Hb Hh0 HL0 EL). destruct (Hgaps 0 ltac:(lra)) as [HC _].
     destruct (Hgaps beta ltac:(lra)) as [_ HL]. rewrite gap_at_crown in HC.
     assert (H := no_room_under_rotation beta h0 p0 h p Hb Hcos ltac:(lra) EC EL EU HC HL). lra.
@@ -145,23 +140,17 @@ Theorem heavier_is_thinner_where_shoulders_slide (delta delta' alpha eta eta' mu
   mode_moves delta alpha eta mu SRR -> mode_moves delta' alpha eta' mu SRR -> eta' < eta.
 Proof.
   intros Hd Hd' Ha He He' Hmu (h & p & beta & sigma & S & Hb & EC & EL & EO)
-    (h' & p' & beta' & sigma' & S' & Hb' & EC' & EL' & EO').
-  assert (Hh := thrust_positive S Ha Hmu). assert (Hh' := thrust_positive S' Ha Hmu).
+    (h' & p' & beta' & sigma' & S' & Hb' & EC' & EL' & EO'). assert (Hh := thrust_positive S Ha Hmu).
   assert (HN := compressed S ltac:(lra) Ha He Hmu). assert (HN' := compressed S' ltac:(lra) Ha He' Hmu).
   (* friction gives one thrust *)
   assert (E : h' = h).
-  { destruct (slip_rows_are_scaled alpha mu h h' (HN alpha ltac:(lra))) as [_ Hout]. assert (Hsame := Hout EO).
-    rewrite EO', Rmult_0_r in Hsame. apply (Rmult_eq_reg_l alpha); lra. }
+  { destruct (slip_rows_are_scaled alpha mu h h' (HN alpha ltac:(lra))) as [_ Hout].
+    apply (Rmult_eq_reg_l alpha); nra. }
   subst h'. apply Rnot_le_lt. intros Hthick. assert (HU := margins_not_negative S).
-  destruct (HU 0 ltac:(lra)) as (C & _). destruct (HU beta' ltac:(lra)) as (_ & L & _).
-  assert (Hfac : fac delta eta < fac delta' eta').
+  destruct (HU beta' ltac:(lra)) as (_ & L & _). assert (Hfac : fac delta eta < fac delta' eta').
   { unfold fac. assert (0 < (delta' - delta) * eta' ^ 2) by (apply Rmult_lt_0_compat; nra).
     assert (delta * eta ^ 2 <= delta * eta' ^ 2) by (apply Rmult_le_compat_l; nra). lra. }
-  assert (Hv : 0 < 1 - cos beta') by (apply versine_positive; lra).
-  assert (0 < (fac delta' eta' - fac delta eta) * (1 - cos beta')) by (apply Rmult_lt_0_compat; lra).
-  assert (HNb := HN' beta' ltac:(lra)).
-  assert (0 <= (eta' - eta) * normal_force beta' h) by (apply Rmult_le_pos; lra).
-  assert (0 <= (eta' - eta) * h) by (apply Rmult_le_pos; lra).
-  unfold shoulder_gap, haunch_gap, crown_gap, extrados, intrados in *. unfold normal_force at 1 in C.
-  rewrite cos_0, sin_0 in C. lra.
+  assert (Hv : 0 < 1 - cos beta') by (apply versine_positive; lra). assert (HNb := HN' beta' ltac:(lra)).
+
+  unfold shoulder_gap, haunch_gap, crown_gap, extrados, intrados in *. nra.
 Qed.

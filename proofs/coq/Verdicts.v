@@ -115,8 +115,7 @@ Definition share (alpha h : R) : R := normal_force alpha h / (1 - cos alpha).
 
 Lemma share_is (alpha h : R) : 0 < alpha < PI -> share alpha h = h * (cos alpha / (1 - cos alpha)) + A alpha.
 Proof.
-  intros Ha. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra). unfold share, normal_force, A. field.
-  lra.
+  unfold share, normal_force, A. lra.
 Qed.
 
 Lemma share_falls (a b h : R) : 0 < a -> a < b -> b < PI -> 0 <= h -> share b h < share a h.
@@ -126,7 +125,7 @@ Proof.
   assert (Hvb : 0 < 1 - cos b) by (apply versine_positive; lra).
   assert (Hcos : cos b < cos a) by (apply cos_decreasing_1; lra). assert (cos b / (1 - cos b) <= cos a / (1 - cos a)).
   { apply (Rmult_le_reg_r ((1 - cos a) * (1 - cos b))); [now apply Rmult_lt_0_compat|]. field_simplify; lra. }
-  assert (h * (cos b / (1 - cos b)) <= h * (cos a / (1 - cos a))) by (now apply Rmult_le_compat_l). lra.
+  nra.
 Qed.
 
 (** and is at the limit only beyond a semicircle. *)
@@ -140,16 +139,6 @@ Proof.
   assert (H2 : A (PI / 2) = PI / 2) by (unfold A; rewrite sin_PI2, cos_PI2; field). assert (HPI := PI2_3_2).
   destruct (Req_dec alpha (PI / 2)) as [-> | Hne]; [lra|].
   assert (HA := A_strictly_decreasing alpha (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
-Qed.
-
-(** Where the shoulder bears less than the limit asks for, it bears less than any thickness does. *)
-Lemma no_thickness_below_limit (delta eta n : R) : delta = 0 \/ delta = 1 -> 0 < eta <= 2 ->
-  n < fac delta 2 / 2 -> extrados eta * n < fac delta eta.
-Proof.
-  intros [-> | ->] He Hn; unfold fac, extrados in *.
-  - assert ((1 + eta / 2) * n < (1 + eta / 2) * ((1 + 0 * 2 ^ 2 / 12) / 2)) by (apply Rmult_lt_compat_l; lra). lra.
-  - assert ((1 + eta / 2) * n < (1 + eta / 2) * ((1 + 1 * 2 ^ 2 / 12) / 2)) by (apply Rmult_lt_compat_l; lra).
-    assert (0 <= (eta - 2) ^ 2) by apply pow2_ge_0. lra.
 Qed.
 
 (** At the limit the half-angle [alpha0] just stands with the thrust [h0]; a wider arch whose thrust is no
@@ -170,17 +159,11 @@ Proof.
   { rewrite <- Hshare. apply Rle_lt_trans with (share alpha h0); [|apply share_falls; lra]. rewrite !share_is by lra.
     assert (cos alpha / (1 - cos alpha) <= 0) by (rewrite <- (Rmult_0_l (/ (1 - cos alpha))); apply Rmult_le_compat_r;
       [now apply Rlt_le, Rinv_0_lt_compat | lra]). nra. }
-  destruct (Hall 0 ltac:(lra)) as (_ & Hcrown & _). destruct (Hall alpha ltac:(lra)) as (_ & _ & Hshoulder).
-  assert (Hp : 0 <= p).
-  { rewrite normal_force_at_crown, cos_0 in Hcrown.
-    assert (0 <= intrados eta * h) by (apply Rmult_le_pos; unfold intrados; lra). lra. }
-  assert (Hnone := no_thickness_below_limit delta eta (share alpha h) Hd He Hless).
+  assert (Hat : thrust_inside delta alpha 2 h p)
+    by (apply (thicker_stands delta alpha eta); try easy; destruct Hd as [-> | ->]; lra).
+  destruct (Hat 0 ltac:(lra)) as (_ & Hcrown & _), (Hat alpha ltac:(lra)) as (_ & _ & Hshoulder).
   assert (E : share alpha h * (1 - cos alpha) = normal_force alpha h) by (unfold share; field; lra).
-  assert (extrados eta * share alpha h * (1 - cos alpha) < fac delta eta * (1 - cos alpha))
-    by (now apply Rmult_lt_compat_r).
-  replace (extrados eta * share alpha h * (1 - cos alpha)) with (extrados eta * normal_force alpha h) in *
-    by (rewrite <- E; ring).
-  lra.
+  rewrite cos_0 in Hcrown. unfold intrados, extrados in *. nra.
 Qed.
 
 (** Friction asks for the least thrust [h0], *)

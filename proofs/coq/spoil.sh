@@ -18,7 +18,7 @@ wrong=0
 
 # The last Lemma, Theorem or Corollary that begins at or before a line.
 statement_at() {
-  head -n "$2" "$1" | sed -nE "s/^(Lemma|Theorem|Corollary) ([A-Za-z0-9_']+).*/\2/p" | tail -n 1
+  head -n "$2" "$1" | sed -nE "s/^ *(Lemma|Theorem|Corollary) ([A-Za-z0-9_']+).*/\2/p" | tail -n 1
 }
 
 # What coqc stops at in a copy; nothing if it compiles.
@@ -145,8 +145,9 @@ spoil_hand() {
       's/(Theorem one_half_angle.*?0 < alpha. )< alpha ->/$1<= alpha ->/s' ;;
     Programme) spoiled "a least value where no rates fit" least_value_is_attained \
       's/(Theorem least_value_is_attained.*?) -> \(exists k, fit k\)/$1/s' ;;
-    Asymmetric) spoiled "a horseshoe" no_asymmetric_motion_up_to_the_right_angle \
-      's/(Theorem no_asymmetric_motion.*?PI) \/ 2/$1/s' ;;
+    Asymmetric)
+      spoiled "a horseshoe" no_asymmetric_motion_up_to_the_right_angle 's/(Theorem no_asymmetric_motion.*?PI) \/ 2/$1/s'
+      spoiled "a haunch off the crown at the limit" joints_of_a_motion 's/(Theorem joints_of_a_motion.*?)0 <= b1/${1}0 < b1/s' ;;
     Order) spoiled "a haunch that falls strictly" haunch_falls \
       's/(Theorem haunch_falls.*?beta2 )<= beta1/$1< beta1/s' ;;
     Map)

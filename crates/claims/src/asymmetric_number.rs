@@ -13,7 +13,7 @@ use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
 use crate::number::{Angle, Field, Ternary};
-use crate::symbolic::{Fraction, Letters, Symbol};
+use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
@@ -48,6 +48,12 @@ fn one_touch(d: &mut Derivation) -> Checked {
     d.define("sin(b0)", &crown.sin);
     d.define("cos(b0)", &crown.cos);
     let haunch = Symbol::joint();
+    let (thrust, vertical) = (Symbol::Thrust.number(), Symbol::CrownShear.number());
+    let bow = thrust.clone() - thrust.int(1) + ring().centroid_factor * &two / ring().extrados();
+    let arm = (haunch.rad.clone() - vertical) * &haunch.cos - bow * &haunch.sin;
+    let slope = margin_at(Contact::Extrados, &haunch).derivative(&along_the_joint());
+    let words = "dU/d beta; c = h - 1 + 2 fac/(2 + eta) in the bracket";
+    d.on_circle(words, slope, arm * ring().extrados() / &two)?;
     let left = Side::Left.joint(&haunch);
     let [above, below] =
         [margin_at(Contact::Extrados, &crown), margin_at(Contact::Intrados, &left)];

@@ -571,14 +571,12 @@ Proof.
   - rewrite Hfixed in *. assert (next := no_room_next_to_crown (flag w) (x Eta) (x Thrust) ltac:(lra) ltac:(easy)).
     apply (overturning_sliding _ _ _ weight) with (joint := x BetaS); try tauto; try lra.
   - destruct Hfixed as [Hb He]. rewrite Hb, He in *.
-    assert (left := nothing_left_at_border (flag w) (x Alpha) (x Thrust) ltac:(lra) ltac:(easy)).
     apply (overturning_sliding _ _ _ weight) with (joint := x BetaS); try tauto; try lra.
   - destruct Hfixed as (Hb & _ & Hh). rewrite Hb, Hh in *.
     assert (next := no_room_next_to_crown (flag w) (x Eta) 0 ltac:(lra) ltac:(easy)).
     assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) (x Eta) 0 ltac:(lra) ltac:(easy)).
     unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E. apply (overturning _ _ weight); try tauto; try lra.
   - destruct Hfixed as (Hb & _ & Hh & He). rewrite Hb, Hh, He in *.
-    assert (left := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
     assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) 2 0 ltac:(lra) ltac:(easy)). unfold at_crown in E.
     rewrite Rmult_0_r in E. rewrite <- E. apply (overturning _ _ weight); try tauto; try lra.
   - apply (rotational_without_limit _ _ weight) with (beta := x BetaR); try tauto; try lra.
