@@ -59,7 +59,7 @@ impl BatchColumns {
         }
     }
 
-    /// Puts rows that are columns themselves into some places, which rise.
+    /// Puts rows that are columns themselves into some places, in any order.
     pub fn put_all(&mut self, places: &[usize], rows: Self) {
         put(&mut self.verdicts, places, &rows.verdicts);
         put(&mut self.modes, places, &rows.modes);
@@ -97,11 +97,11 @@ impl BatchColumns {
     }
 }
 
-/// Puts a column into places that rise: as a whole where they follow each other.
+/// Puts a column into some places: as a whole where each follows the one before.
 fn put<T: Copy>(all: &mut [T], places: &[usize], column: &[T]) {
-    match places {
-        [first, .., last] if last - first + 1 == places.len() => {
-            all[*first..=*last].copy_from_slice(column);
+    match places.first() {
+        Some(first) if places.is_sorted_by(|one, other| one + 1 == *other) => {
+            all[*first..][..places.len()].copy_from_slice(column);
         }
         _ => places.iter().zip(column).for_each(|(to, x)| all[*to] = *x),
     }
@@ -111,4 +111,27 @@ fn put<T: Copy>(all: &mut [T], places: &[usize], column: &[T]) {
 fn mode_code(mode: Option<Mode>) -> u8 {
     let place = mode.and_then(|mode| Mode::ALL.iter().position(|of| *of == mode));
     place.and_then(|place| u8::try_from(place).ok()).unwrap_or(u8::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_find_their_places_in_any_order() {
+        // The third has as many places as lie between its ends, in another order.
+        for places in [&[1, 2, 3][..], &[2], &[0, 2, 1, 3], &[3, 1], &[0, 2, 3], &[]] {
+            let mut rows = BatchColumns::open(places.len(), 1);
+            rows.modes = places.iter().map(|place| *place as u8).collect();
+            rows.values[0][2] = places.iter().map(|place| *place as f64).collect();
+            let mut all = BatchColumns::open(4, 1);
+            all.put_all(places, rows);
+            for row in 0..4 {
+                let is_put = places.contains(&row);
+                assert_eq!(all.modes[row], if is_put { row as u8 } else { u8::MAX }, "{places:?}");
+                let value = all.values[0][2][row];
+                assert!(if is_put { value == row as f64 } else { value.is_nan() }, "{places:?}");
+            }
+        }
+    }
 }
