@@ -244,9 +244,7 @@ Proof.
   assert (0 < 1 - cos x) by (apply versine_positive; lra).
   unfold haunch_gap, shoulder_gap, intrados, extrados, fac in *. set (V := 1 - cos x) in *. split.
   - assert (0 <= delta * (eta' * eta' - eta * eta) * V) by (repeat apply Rmult_le_pos; nra).
-    assert (0 <= delta * (eta' * eta') * V) by (repeat apply Rmult_le_pos; nra). destruct HN as [HN | HN].
-    + nra.
-    + nra.
+    assert (0 <= delta * (eta' * eta') * V) by (repeat apply Rmult_le_pos; nra). destruct HN as [HN | HN]; nra.
   - assert (0 < (eta' - eta) * (12 - delta * (2 * (eta + eta') + eta * eta')) * V)
       by (repeat apply Rmult_lt_0_compat; lra). nra.
 Qed.
@@ -327,7 +325,6 @@ Lemma lever_positive_from_semicircle (alpha beta eta : R) : 0 < beta < alpha -> 
 Proof.
   intros Hb Ha He. unfold intrados, extrados. assert (cos alpha < cos beta) by (apply cos_decreasing_1; lra).
   assert (cos alpha <= 0) by (apply cos_le_0; lra).
-
   nra.
 Qed.
 
@@ -339,7 +336,6 @@ Proof.
             0 < cos x /\ 0 < 1 - cos x /\ 0 < cos x * (sin x - x) + x * sin x ^ 2).
   { intros x Hx. assert (HC : 0 < cos x) by (apply cos_gt_0; lra). assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
     assert (Hcot := times_cosine_below_sine x ltac:(lra)). assert (Hcircle := circle x).
-
     nra. }
   destruct (MVT_cor2 (fun x => A x / cos x) slope a b Hab) as (c & Hc & Hin).
   { intros c Hc. destruct (Hpositive c ltac:(lra)) as (HC & Hv & _). unfold A, slope.

@@ -49,7 +49,6 @@ Proof.
   { unfold haunch_gap, shoulder_gap, normal_force, D, extrados, intrados, fac. field. }
   assert (0 <= D) by (unfold D; lra).
   assert (Hgain : 0 < eta * (6 - delta * eta) / 12) by (apply Rdiv_lt_0_compat; nra).
-
   assert (0 <= extrados eta * D) by (apply Rmult_le_pos; [unfold extrados|]; lra).
   (* not each term is zero, or the weight of the shoulder would be *)
   apply Rnot_le_lt. intros Hnone. assert (HD0 : D = 0) by (unfold extrados in *; nra).

@@ -75,8 +75,7 @@ Proof.
   - set (p := extrados eta * h + lead h).
     assert (H := room_without_lever delta alpha x eta h p weight Hx opening thick ltac:(lra) Hno).
     assert (Z : shoulder_gap delta alpha eta h p = 0) by (unfold shoulder_gap, p, lead; ring). lra.
-  -
-    unfold haunch_gap, lead, normal_force, extrados, intrados in *. nra.
+  - unfold haunch_gap, lead, normal_force, extrados, intrados in *. nra.
 Qed.
 
 (** Of two thrusts one, or that of (4) between them, leaves room wherever one of them does. *)

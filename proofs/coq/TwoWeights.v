@@ -28,7 +28,6 @@ Proof.
   assert (Harm := lever_positive_in_any_state delta alpha beta eta h0 p0 ltac:(lra) ltac:(lra) opening
                     thickness ltac:(lra) EL EU).
   assert (Hcos : cos alpha < cos beta) by (apply cos_decreasing_1; lra).
-
   unfold haunch_gap, shoulder_gap, normal_force in *. nra.
 Qed.
 
@@ -51,7 +50,6 @@ Proof.
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (0 < (fac delta' eta - fac delta eta) * (1 - cos alpha) * (eta * cos beta))
     by (repeat apply Rmult_lt_0_compat; lra).
-
   nra.
 Qed.
 
@@ -151,6 +149,5 @@ Proof.
   { unfold fac. assert (0 < (delta' - delta) * eta' ^ 2) by (apply Rmult_lt_0_compat; nra).
     assert (delta * eta ^ 2 <= delta * eta' ^ 2) by (apply Rmult_le_compat_l; nra). lra. }
   assert (Hv : 0 < 1 - cos beta') by (apply versine_positive; lra). assert (HNb := HN' beta' ltac:(lra)).
-
   unfold shoulder_gap, haunch_gap, crown_gap, extrados, intrados in *. nra.
 Qed.

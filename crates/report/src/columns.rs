@@ -132,8 +132,7 @@ pub(super) fn fields<'a, const N: usize>(
     asked: Asked,
 ) -> Record {
     let (at, mut fields) = (At { answer, quantity: None }, Record::default());
-    let columns = columns.into_iter().filter(|(name, _)| asked.has(name));
-    columns.for_each(|(name, column)| fields.add_found(name, &column, &at));
+    fields.add_found(columns.iter().filter(|(name, _)| asked.has(name)), &at);
     fields
 }
 

@@ -39,15 +39,10 @@ fn owner(subject: &Subject) -> Record {
 /// of its error.
 fn constant(row: &ValueRow) -> Record {
     let mut fields = owner(&row.answer.subject);
-    let add = |names: &str, fields: &mut Record| {
-        for (name, column) in ValueRow::named(names) {
-            fields.add_found(name, &column, row);
-        }
-    };
-    add("quantity value lower upper exact double", &mut fields);
+    fields.add_found(&ValueRow::named("quantity value lower upper exact double"), row);
     let double = row.value.map(|value| value.double).filter(|double| double.is_finite());
     fields.add("hex", double.map(hexadecimal));
-    add("double_lower double_upper double_error", &mut fields);
+    fields.add_found(&ValueRow::named("double_lower double_upper double_error"), row);
     fields
 }
 

@@ -1,7 +1,7 @@
 //! A record: what a result says, in its order. Named cells are an object in JSON and cells of a row in a table; lines
 //! and the cells that are shown are what a person reads.
 
-use super::column::Column;
+use super::column::{Column, NamedColumn};
 use super::kept::Kept;
 use crate::certify::state::Figure;
 use crate::number::Rounded;
@@ -93,11 +93,17 @@ impl Record {
         self.put(name, value.into().map_or(Cell::Value(None), Cell::Double));
     }
 
-    /// Adds what a column finds in a row.
-    pub(crate) fn add_found<R>(&mut self, name: &'static str, column: &Column<R>, row: &R) {
-        match column {
-            Column::Double(cell) => self.add_double(name, cell(row)),
-            other => self.add(name, other.json(row)),
+    /// Adds what columns find in a row.
+    pub(crate) fn add_found<'c, R: 'c>(
+        &mut self,
+        columns: impl IntoIterator<Item = &'c NamedColumn<R>>,
+        row: &R,
+    ) {
+        for &(name, ref column) in columns {
+            match column {
+                Column::Double(cell) => self.add_double(name, cell(row)),
+                other => self.add(name, other.json(row)),
+            }
         }
     }
 

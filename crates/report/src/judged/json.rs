@@ -16,10 +16,10 @@ fn entry(row: &JudgedRow) -> Record {
     if !row.kept.is_empty() {
         fields.add_record("kept", Some(kept_fields(&row.kept)));
     }
-    JudgedRow::COLUMNS.iter().for_each(|(name, column)| fields.add_found(name, column, row));
+    fields.add_found(&JudgedRow::COLUMNS, row);
     let number = |judged: &Judged| {
         let mut fields = Record::default();
-        NUMBER.iter().for_each(|(name, column)| fields.add_found(name, column, judged));
+        fields.add_found(&NUMBER, judged);
         (judged.quantity.name(), fields)
     };
     let numbers = row.numbers().iter().map(number);

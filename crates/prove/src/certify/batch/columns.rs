@@ -61,10 +61,14 @@ impl BatchColumns {
 
     /// Puts rows that are columns themselves into some places, in any order.
     pub fn put_all(&mut self, places: &[usize], rows: Self) {
-        put(&mut self.verdicts, places, &rows.verdicts);
-        put(&mut self.modes, places, &rows.modes);
+        for (from, to) in places.iter().enumerate() {
+            self.verdicts[*to] = rows.verdicts[from];
+            self.modes[*to] = rows.modes[from];
+        }
         for (all, columns) in self.values.iter_mut().zip(&rows.values) {
-            all.iter_mut().zip(columns).for_each(|(all, column)| put(all, places, column));
+            for (all, column) in all.iter_mut().zip(columns) {
+                places.iter().zip(column).for_each(|(to, x)| all[*to] = *x);
+            }
         }
         self.reasons.extend(rows.reasons.into_iter().map(|(from, why)| (places[from], why)));
     }
@@ -94,16 +98,6 @@ impl BatchColumns {
         }
         self.verdicts.push(verdict);
         self.modes.push(mode_code(mode));
-    }
-}
-
-/// Puts a column into some places: as a whole where each follows the one before.
-fn put<T: Copy>(all: &mut [T], places: &[usize], column: &[T]) {
-    match places.first() {
-        Some(first) if places.is_sorted_by(|one, other| one + 1 == *other) => {
-            all[*first..][..places.len()].copy_from_slice(column);
-        }
-        _ => places.iter().zip(column).for_each(|(to, x)| all[*to] = *x),
     }
 }
 
