@@ -76,7 +76,7 @@ def state(half_opening: Range | None = None, friction: Range | None = None, *, f
     if surveyed is not None:
         return surveyed
     texts, given = _arch(values)
-    if values["stones"] is not None or values["joints"] is not None:
+    if "stones" in values or "joints" in values:
         return _of_stones("state", weight, (texts, given), digits)[0]
     told = _asked(_core.state, weight, texts, digits, frictions)
     return State((*given, ("weight", told["weight"])), told)
@@ -85,7 +85,7 @@ def state(half_opening: Range | None = None, friction: Range | None = None, *, f
 def _read(arch: dict[str, Any], **named: Any) -> tuple[dict[str, Any], str, str]:
     """What is given of an arch; the weight and the digits."""
     weight, digits = arch.pop("weight"), _text_of(arch.pop("digits"))
-    return {**named, **arch}, weight, digits
+    return {name: value for name, value in (*named.items(), *arch.items()) if value is not None}, weight, digits
 
 
 def _surveyed(question: str, weight: str, values: dict[str, Any], digits: str) -> Survey | None:
@@ -138,9 +138,9 @@ def assess(
     if surveyed is not None:
         return surveyed
     texts, given = _arch(values)
-    if values["tilt"] is not None:
+    if "tilt" in values:
         return _tilted(weight, (texts, given), digits)
-    if values["stones"] is not None or values["joints"] is not None:
+    if "stones" in values or "joints" in values:
         found = _of_stones("assess", weight, (texts, given), digits)[0].assessment
         assert found is not None
         return found
@@ -218,7 +218,7 @@ def voussoirs(
         ['0.09625', '0.1009', '0.1021']
     """
     values, weight, digits = _read(arch, half_opening=half_opening, friction=friction, stones=stones)
-    if values["tilt"] is not None:
+    if "tilt" in values:
         raise CoupletError("tilt does not belong here: couplet.tilt tells of an arch of a thickness that is tilted")
     found = _of_stones("voussoirs", weight, _arch(values), digits)
     return found if isinstance(stones, range) else found[0]
@@ -229,7 +229,7 @@ def _of_stones(question: str, weight: str, arch: Any, digits: str) -> list[Vouss
     import json
 
     texts, given = arch
-    stones = dict(given)["stones"]
+    stones = dict(given).get("stones")
     if isinstance(stones, str) and ".." in stones:
         raise CoupletError("several numbers of stones are a range: couplet.voussoirs(…, stones=range(2, 201))")
     if question != "voussoirs" and isinstance(stones, range):
@@ -386,14 +386,14 @@ def certify(
     """
     values, weight, digits = _read(arch, half_opening=half_opening, friction=friction)
     if landmark is not None:
-        if asymmetric is not False or any(value is not None for value in values.values()):
+        if asymmetric is not False or values:
             raise CoupletError("a half opening, a friction, a thickness and asymmetric belong to an arch, not to a landmark")
         return _asked(_core.certify_landmark, landmark, weight, digits, _whole(threads))
-    if all(values[name] is None for name in ("half_opening", "span", "rise", "joints")):
+    if values.keys().isdisjoint(("half_opening", "span", "rise", "joints")):
         raise CoupletError("a landmark, or a half opening and a friction, are missing")
     texts = _ranges(values)
     if asymmetric is False:
         return _asked(_core.certify_arch, weight, texts, digits, _whole(threads))
-    if values["thickness"] is not None:
+    if "thickness" in values:
         raise CoupletError("an asymmetric solution has its own thickness: leave it out")
     return _asked(_core.certify_asymmetric, weight, texts, None if asymmetric is True else str(asymmetric), digits)

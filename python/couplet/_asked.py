@@ -86,10 +86,10 @@ def _double(found: Any) -> str:
 
 def arch(values: dict[str, Any]) -> tuple[Texts, Given]:
     """The texts of an arch, and what is given, by its names."""
-    values = {name: _plain(values.get(name)) for name in FIELDS}
-    half_opening, friction, *others = (_text(name, value) for name, value in values.items())
-    has_others = any(text is not None for text in others)
-    return (half_opening, friction, others if has_others else None), tuple(values.items())
+    given = tuple([(name, _plain(values[name])) for name in FIELDS if values.get(name) is not None])
+    texts = {name: value if isinstance(value, str) else _text(name, value) for name, value in given}
+    half_opening, friction = texts.pop("half_opening", None), texts.pop("friction", None)
+    return (half_opening, friction, [texts.get(name) for name in FIELDS[2:]] if texts else None), given
 
 
 def by_name(texts: Texts) -> dict[str, str | None]:
@@ -99,23 +99,18 @@ def by_name(texts: Texts) -> dict[str, str | None]:
 
 
 def _plain(value: Any) -> Any:
-    if value is None:
-        return value
     value = value.tolist() if hasattr(value, "tolist") else value
     return tuple(value) if isinstance(value, list) else value
 
 
-def _text(name: str, value: Any) -> str | None:
-    if value is None or isinstance(value, str):
-        return value
-    what = name.replace("_", " ")
+def _text(name: str, value: Any) -> str:
     if name == "joints" and isinstance(value, tuple):
         return ",".join(exact(angle, "angle of a joint") for angle in value)
     if name == "stones":
         return _stones(value)
     if name == "measured_at":
         raise TypeError(f"the circle at which an arch is measured is a str, not {type(value).__name__}")
-    return exact(value, what)
+    return exact(value, name.replace("_", " "))
 
 
 def _stones(value: Any) -> str:

@@ -57,6 +57,10 @@ class _NoNumber(Exception):
 
 
 def _text(value: object) -> str:
+    # What most give; neither infinite nor no number.
+    if type(value) is float and value - value == 0:
+        numerator, denominator = value.as_integer_ratio()
+        return f"{numerator}/{denominator}" if denominator != 1 else str(numerator)
     # Of a Decimal str() has all digits.
     if isinstance(value, int) or hasattr(value, "as_tuple"):
         return text_of(value)

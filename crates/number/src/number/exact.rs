@@ -103,7 +103,12 @@ impl ExactNumber {
     /// spreadsheet.
     pub fn in_decimals(&self) -> String {
         const LONGEST: usize = 20;
+        // Over so many twos alone a decimal has as many fives, which are more digits.
+        const MOST_TWOS: u64 = 29;
+        let below = self.factor.denom();
+        let twos = below.trailing_zeros().unwrap_or(0);
         match self.form {
+            Form::Rational if twos > MOST_TWOS && below.bits() == twos + 1 => self.text.clone(),
             Form::Rational if self.text.contains('/') => {
                 let ended = decimal(&self.factor);
                 if ended.len() > LONGEST { self.text.clone() } else { ended }
@@ -446,7 +451,7 @@ impl ExactNumber {
             if denominator.sign() == Sign::NoSign {
                 return Err(ParseExactError::DivisionByZero(shown()));
             }
-            factor /= denominator;
+            factor = reduced(factor, denominator);
         }
         // A division can leave the range too: 1e-1000/1000….
         let (above, below) = (factor.numer().bits(), factor.denom().bits());
@@ -454,6 +459,19 @@ impl ExactNumber {
             return Err(ParseExactError::Range(shown()));
         }
         Ok(Self { factor, form, text: text.to_owned() })
+    }
+}
+
+/// A quotient in lowest terms. A double is a whole number over a power of two, of which no common divisor is sought: that
+/// takes longer than all else of its text.
+fn reduced(above: BigRational, below: BigInt) -> BigRational {
+    let twos = below.trailing_zeros().filter(|twos| BigInt::from(1) << *twos == below);
+    match (twos, above.numer().trailing_zeros()) {
+        (Some(twos), Some(of_above)) if above.is_integer() => {
+            let common = twos.min(of_above);
+            BigRational::new_raw(above.to_integer() >> common, below >> common)
+        }
+        _ => above / below,
     }
 }
 

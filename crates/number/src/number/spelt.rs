@@ -91,8 +91,8 @@ pub fn decimal(number: &BigRational) -> String {
         return number.to_string();
     }
     let places = twos.max(fives);
-    let scaled = number * BigInt::from(10).pow(places as u32);
-    let written: Result<super::Decimal, _> = format!("{}e-{places}", scaled.numer()).parse();
+    let scaled = number.numer() * (BigInt::from(10).pow(places as u32) / below);
+    let written: Result<super::Decimal, _> = format!("{scaled}e-{places}").parse();
     written.map_or_else(|_| number.to_string(), |decimal| decimal.to_string())
 }
 

@@ -43,6 +43,28 @@ fn numbers_are_read_exactly() {
 }
 
 #[test]
+fn fractions_are_in_lowest_terms_whatever_is_below() {
+    for above in ["6", "-6", "0", "7", "1.5", "-0.375", "12e3"] {
+        for below in [1, 2, 4, 3, 16, -4, 12] {
+            let found = factor(&format!("{above}/{below}"));
+            let expected = factor(above) / BigInt::from(below);
+            assert_eq!([found.numer(), found.denom()], [expected.numer(), expected.denom()]);
+        }
+    }
+}
+
+#[test]
+fn a_fraction_is_the_decimal_that_it_is_where_that_is_short() {
+    let in_decimals = |text: &str| text.parse::<ExactNumber>().unwrap().in_decimals();
+    assert_eq!(["1/8", "-3/40", "6/4"].map(in_decimals), ["0.125", "-0.075", "1.5"]);
+    let [tens, twos] = [format!("1/1{}", "0".repeat(30)), format!("1/{}", BigInt::from(1) << 30)];
+    assert_eq!(in_decimals(&tens), "1e-30");
+    for long in ["1/3", "1/14", &twos, "3602879701896397/36028797018963968"] {
+        assert_eq!(in_decimals(long), long);
+    }
+}
+
+#[test]
 fn short_decimals_are_in_lowest_terms_like_long_ones() {
     for (digits, exponent) in [
         ("1", 0),
