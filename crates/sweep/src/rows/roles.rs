@@ -40,7 +40,7 @@ pub enum Purpose {
 }
 
 /// Sizes that a row may have, and what makes forces of them.
-pub(super) const SIZES: [Field; 6] =
+const SIZES: [Field; 6] =
     [Field::Span, Field::Rise, Field::Radius, Field::MeasuredAt, Field::Density, Field::Depth];
 
 const ARCH: [Role; 4] = [Role::Weight, Role::HalfOpening, Role::Friction, Role::FrictionAngle];

@@ -11,10 +11,6 @@ use crate::ask::{
 use crate::number::{BETWEEN, is_range};
 use toml::de::{DeTable, DeValue};
 
-/// Question that any arch of a scene answers.
-pub(super) const QUESTION: ArchQuestion =
-    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
-
 /// Fields of which each makes an arch a measured one.
 const SIZES: [Field; 6] =
     [Field::Span, Field::Rise, Field::Radius, Field::MeasuredAt, Field::Density, Field::Depth];

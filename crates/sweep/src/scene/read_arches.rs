@@ -1,11 +1,11 @@
 //! Reading from TOML to arches, or to arches between two ends where any value is a range.
 
-use super::axes::{Allowed, ArchAxis, QUESTION, axes, example, is_measured, product};
+use super::axes::{Allowed, ArchAxis, axes, example, is_measured, product};
 use super::schema::{MAX_RANGES, MeasuredArch, Request, SceneArch, SceneBoxes, SceneSurvey};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, Field, Misfit, Spelling, SurveyGiven};
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, SurveyGiven};
 use crate::number::is_range;
 use crate::problem::Quantity;
 use crate::report::words::distinct;
@@ -36,7 +36,7 @@ pub(super) fn arches(
     }
     let weights = table.weights(&[SelfWeight::Milankovitch]);
     let allowed = Allowed { ranges, measured: is_measured(table) };
-    let axes = axes(table, &QUESTION, allowed);
+    let axes = axes(table, &ArchQuestion::ANY, allowed);
     let has = |field| table.given_field(field).is_some();
     let with_thickness = has(Field::Thickness);
     let known = if ranges { surveyed::told(has) } else { known(has, allowed.measured) };
@@ -76,7 +76,7 @@ fn all(
     let mut arches = Vec::with_capacity(asked.len() * weights.len());
     for &weight in weights {
         for asked in asked {
-            let given = ArchGiven::read(&QUESTION, asked, Spelling::Key);
+            let given = ArchGiven::read(&ArchQuestion::ANY, asked, Spelling::Key);
             let read = given.and_then(|given| Ok((given.arch(weight)?, given)));
             let Some((arch, given)) = table.fitting(read) else { continue };
             let thickness = given.thickness.clone();
@@ -136,7 +136,7 @@ fn surveys(
 
 /// The arches of a question.
 pub(super) fn given(asked: &ArchAsked) -> Result<SurveyGiven, Misfit> {
-    SurveyGiven::read(&QUESTION, asked, Spelling::Key)
+    SurveyGiven::read(&ArchQuestion::ANY, asked, Spelling::Key)
 }
 
 /// Refuses a format that ranges do not have.

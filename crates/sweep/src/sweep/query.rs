@@ -131,7 +131,7 @@ impl Listed {
     /// Adds a row of a data set.
     pub(super) fn push_row(&mut self, reader: &ArchReader, cells: &Cells) {
         match reader.arch(cells) {
-            Ok(arch) => self.push(arch),
+            Ok((arch, ..)) => self.push(arch),
             Err(error) => self.refuse(&reader.described(cells), error),
         }
     }
