@@ -1,6 +1,7 @@
 //! Reading from TOML to a valid scene, or to everything that is wrong with it.
 
 use super::fault::{Fault, SceneText};
+use super::figure::in_order;
 use super::read_arches::arches;
 use super::read_drawing::drawing;
 use super::read_map::{map, read_figure};
@@ -142,7 +143,7 @@ fn item(
 
 fn constants(table: &mut TableReader) -> Option<Request> {
     let points = points(table);
-    let quantities = table.chosen("quantities", &Quantity::LANDMARK, Quantity::name);
+    let quantities = table.quantities(&Quantity::LANDMARK);
     let digits = table.digits(table.reader.digits);
     let (points, quantities, digits) = (points?, quantities?, digits?);
     let exists = |quantity| points.iter().any(|(l, _)| quantities_of(*l).any(|q| q == quantity));
@@ -157,12 +158,10 @@ fn constants(table: &mut TableReader) -> Option<Request> {
 
 /// Landmarks times weights, by weight, in the order in which they are always shown.
 fn points(table: &mut TableReader) -> Option<Vec<(Landmark, SelfWeight)>> {
-    let asked = table.landmarks("landmarks");
-    let weights = table.weights(&SelfWeight::ALL);
-    let (asked, weights) = (asked?, weights?);
-    let all = SelfWeight::ALL.into_iter().filter(|weight| weights.contains(weight));
-    let landmarks = || Landmark::ALL.into_iter().filter(|landmark| asked.contains(landmark));
-    Some(all.flat_map(|weight| landmarks().map(move |landmark| (landmark, weight))).collect())
+    let landmarks = table.landmarks("landmarks");
+    let (landmarks, weights) = (landmarks?, table.weights(&SelfWeight::ALL).map(in_order)?);
+    let of_each = |weight: SelfWeight| landmarks.iter().map(move |landmark| (*landmark, weight));
+    Some(weights.into_iter().flat_map(of_each).collect())
 }
 
 /// Claims, each by its id or by the beginning of it up to a hyphen.

@@ -156,7 +156,7 @@ fn quantities(table: &mut TableReader, all: &[Quantity]) -> Option<Vec<Quantity>
     let without = table.get("quantities").filter(|_| table.given_field(Field::Thickness).is_none());
     match without.is_some_and(|value| needs_thickness(table.reader, value)) {
         true => None,
-        false => table.chosen("quantities", all, Quantity::name),
+        false => table.quantities(all),
     }
 }
 

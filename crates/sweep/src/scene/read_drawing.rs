@@ -9,7 +9,6 @@ use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
 use crate::problem::Mode;
 use crate::problem::measures::Measures;
-use crate::report::words::list;
 use crate::report::{Format, Style};
 use toml::de::DeValue;
 
@@ -132,8 +131,5 @@ fn is_several(value: &TomlValue) -> bool {
 }
 
 fn mode(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Mode> {
-    let found = value.get_ref().as_str().and_then(Mode::named);
-    found.or_else(|| {
-        reader.reject(key, value, &format!("one of {}", list(Mode::ALL.map(Mode::label))))
-    })
+    reader.one_named(key, value, &Mode::ALL.map(Mode::label), Mode::named)
 }

@@ -92,10 +92,9 @@ const AXES: [(&str, &str, &[&str]); 3] = [
 /// Axes: how a map shows its quantities, and from where to where.
 fn axes(table: &mut TableReader) -> Option<Axes> {
     let mut shown = |(unit, range, units): (&str, &str, &[&str])| {
-        let known: Vec<(&str, Unit)> =
-            units.iter().map(|name| (*name, Unit::named(name))).collect();
+        let named = |name: &str| units.contains(&name).then(|| Unit::named(name));
         let unit = table.or(unit, Unit::Usual, |reader, key, value| {
-            reader.names(key, value, &known)?.first().copied()
+            reader.one_named(key, value, units, named)
         })?;
         let range =
             table.if_given(range, |reader, key, value| reader.said(key, value, Shown::range_of))?;
@@ -125,17 +124,13 @@ fn words(table: &TableReader, marks: &[Marked]) -> String {
 }
 
 fn plane(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Plane> {
-    match reader.names(key, value, &Plane::ALL.map(|plane| (plane.name(), plane)))?[..] {
-        [plane] => Some(plane),
-        _ => reader.reject(key, value, "one plane"),
-    }
+    reader.one_named(key, value, &Plane::ALL.map(Plane::name), Plane::named)
 }
 
 fn curves(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Curve>> {
     let names: Vec<String> = Curve::ALL.iter().map(ToString::to_string).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let find = |text: &str| Curve::named(text).map(|curve| (curve, curve));
-    reader.named(key, value, &names, find)
+    reader.named(key, value, &names, Curve::named)
 }
 
 /// Key for an option of the command.

@@ -38,7 +38,7 @@ fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
     let given = table.if_given("weight", TomlReader::weights);
     let quantities = match table.get("quantities") {
         None => Some(vec![Quantity::Thickness]),
-        Some(_) => table.chosen("quantities", &Quantity::STATE_ROW, Quantity::name),
+        Some(_) => table.quantities(&Quantity::STATE_ROW),
     };
     let digits = table.or("digits", SWEEP_DIGITS, |reader, key, value| {
         reader.whole(key, value, SWEEP_DIGITS..=MAX_DIGITS)

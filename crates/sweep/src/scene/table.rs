@@ -4,7 +4,8 @@ use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{Field, Misfit, notes};
 use crate::certify::MAX_DIGITS;
-use crate::problem::{Friction, Landmark};
+use crate::problem::{Friction, Landmark, Quantity};
+use std::hash::Hash;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeTable;
@@ -66,27 +67,29 @@ impl<'a, 's> TableReader<'a, 's> {
     }
 
     /// Members of a list that a key names, all without it, in the order of the list.
-    pub(super) fn chosen<T: Copy + PartialEq>(
+    pub(super) fn chosen<T: Copy + Eq + Hash>(
         &mut self,
         key: &str,
         all: &[T],
-        name: fn(T) -> &'static str,
+        names: &[&str],
+        find: impl Fn(&str) -> Option<T>,
     ) -> Option<Vec<T>> {
-        let known: Vec<_> = all.iter().map(|one| (name(*one), *one)).collect();
-        let read = |reader: &mut TomlReader, key: &str, value: &TomlValue| {
-            reader.names(key, value, &known)
-        };
-        let asked = self.or(key, all.to_vec(), read)?;
+        let asked =
+            self.or(key, all.to_vec(), |reader, key, value| reader.named(key, value, names, find))?;
         Some(all.iter().copied().filter(|one| asked.contains(one)).collect())
+    }
+
+    /// The quantities that the table names, of those that there are.
+    pub(super) fn quantities(&mut self, all: &[Quantity]) -> Option<Vec<Quantity>> {
+        let names: Vec<&str> = all.iter().map(|of| of.name()).collect();
+        let find = |name: &str| all.iter().copied().find(|of| of.name() == name);
+        self.chosen("quantities", all, &names, find)
     }
 
     /// The landmarks that a key names, by symbol or by long name.
     pub(super) fn landmarks(&mut self, key: &str) -> Option<Vec<Landmark>> {
-        let symbols = Landmark::ALL.map(|landmark| (landmark.symbol(), landmark));
-        let long_names = Landmark::ALL.map(|landmark| (landmark.long_name(), landmark));
-        let known = [symbols, long_names].concat();
-        let all = Landmark::ALL.to_vec();
-        self.or(key, all, |reader, key, value| reader.names(key, value, &known))
+        let names = [Landmark::symbol, Landmark::long_name].map(|name| Landmark::ALL.map(name));
+        self.chosen(key, &Landmark::ALL, &names.concat(), Landmark::named)
     }
 
     /// Value of a field of an arch, under its name or its letter.

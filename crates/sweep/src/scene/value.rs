@@ -220,46 +220,43 @@ impl<'s> TomlReader<'s> {
         (self.faults.len() == before).then_some(found)
     }
 
-    /// Names, each once: a list or one by itself. `None` if any is wrong.
-    pub(super) fn names<T: Copy + PartialEq>(
-        &mut self,
-        key: &str,
-        value: &TomlValue,
-        known: &[(&str, T)],
-    ) -> Option<Vec<T>> {
-        let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
-        let place = |text: &str| {
-            let named = known.iter().find(|(name, _)| *name == text)?.1;
-            // Of a thing that has two names the first.
-            let place = known.iter().position(|(_, other)| *other == named)?;
-            Some((place, named))
-        };
-        self.named(key, value, &names, place)
-    }
-
-    /// Values that `find` finds by name, each once by the key beside it. `None` if any is wrong.
-    pub(super) fn named<K: Eq + Hash, T>(
+    /// Values of these names, each once: a list, or one by itself. `None` if any is wrong.
+    pub(super) fn named<T: Copy + Eq + Hash>(
         &mut self,
         key: &str,
         value: &TomlValue,
         names: &[&str],
-        find: impl Fn(&str) -> Option<(K, T)>,
+        find: impl Fn(&str) -> Option<T>,
     ) -> Option<Vec<T>> {
         let allowed = format!("one of {}", list(names.iter().copied()));
         self.each_once(key, value, &allowed, |reader, element| {
             let text = element.get_ref().as_str();
-            text.and_then(&find).or_else(|| {
+            text.and_then(&find).map(|found| (found, found)).or_else(|| {
                 let hint = text.map_or(String::new(), |text| did_you_mean(text, names));
                 reader.reject(key, element, &format!("{allowed}{hint}"))
             })
         })
     }
 
+    /// Value of one of these names.
+    pub(super) fn one_named<T: Copy + Eq + Hash>(
+        &mut self,
+        key: &str,
+        value: &TomlValue,
+        names: &[&str],
+        find: impl Fn(&str) -> Option<T>,
+    ) -> Option<T> {
+        match self.named(key, value, names, find)?[..] {
+            [one] => Some(one),
+            _ => self.reject(key, value, "one of them"),
+        }
+    }
+
     /// The weights named, or both.
     pub(super) fn weights(&mut self, key: &str, value: &TomlValue) -> Option<Vec<SelfWeight>> {
         match value.get_ref().as_str() {
             Some("both") => Some(SelfWeight::ALL.to_vec()),
-            _ => self.names(key, value, &SelfWeight::ALL.map(|weight| (weight.name(), weight))),
+            _ => self.named(key, value, &SelfWeight::ALL.map(SelfWeight::name), SelfWeight::named),
         }
     }
 }
