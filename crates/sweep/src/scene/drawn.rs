@@ -4,11 +4,9 @@ use super::computable::{Computable, Done};
 use super::same::{arch_key, number_key};
 use super::shared::Shared;
 use crate::arch::SelfWeight;
-use crate::ask::ArchAsked;
 use crate::atlas::{NoSketch, Sketch};
 use crate::number::ExactNumber;
-use crate::problem::{Arch, Landmark, Mode};
-use crate::report::Style;
+use crate::problem::{Arch, Landmark};
 use std::fmt;
 
 /// An arch that is drawn.
@@ -59,29 +57,6 @@ impl DrawnArch {
             (Pose::Standing(arch, eta), None) => Sketch::standing(arch, eta, is_dilatant),
             (Pose::Sliding(arch, eta), _) => Sketch::sliding(arch, eta, is_dilatant),
         }
-    }
-
-    /// The command that draws the arch of these texts.
-    pub(super) fn command(&self, asked: &ArchAsked, mode: Option<Mode>, style: &Style) -> String {
-        let mut command = format!("couplet draw{}", asked.options());
-        let mut say = |option: &str, value: &str| command += &format!(" --{option} {value}");
-        if let Pose::Landmark(landmark, _) = &self.pose {
-            say("at", landmark.symbol());
-        }
-        say("weight", self.weight().name());
-        if let Some(mode) = mode {
-            say("mode", mode.label());
-        }
-        if style.amplitude != Style::default().amplitude {
-            say("amplitude", &format!("{:?}", style.amplitude));
-        }
-        if let Some(stones) = self.stones {
-            say("stones", &stones.to_string());
-        }
-        let is_asked = [self.is_dilatant, style.half, style.arrows, style.animate];
-        let names = [" --dilatant", " --half", " --arrows", " --animate"];
-        command.extend(names.into_iter().zip(is_asked).filter_map(|(name, is)| is.then_some(name)));
-        command
     }
 }
 

@@ -133,11 +133,7 @@ fn item(
     let print = if is_drawn { print(&mut table, format) } else { Some(Print::default()) };
     let ((output, format), print) = (destination?, print?);
     let place = table.reader.source.place(table.span.start);
-    let mut what = what?;
-    if let Some(command) = what.command() {
-        *command += &print.options();
-    }
-    let item = SceneItem { place, kind, what, format, print, output };
+    let item = SceneItem { place, kind, what: what?, format, print, output };
     table.is_well_since(before).then_some(item)
 }
 
@@ -158,8 +154,8 @@ fn constants(table: &mut TableReader) -> Option<Request> {
 
 /// Landmarks times weights, by weight, in the order in which they are always shown.
 fn points(table: &mut TableReader) -> Option<Vec<(Landmark, SelfWeight)>> {
-    let landmarks = table.landmarks("landmarks");
-    let (landmarks, weights) = (landmarks?, table.weights(&SelfWeight::ALL).map(in_order)?);
+    let (landmarks, weights) = (table.landmarks("landmarks"), table.weights(&SelfWeight::ALL));
+    let (landmarks, weights) = (landmarks?, in_order(weights?));
     let of_each = |weight: SelfWeight| landmarks.iter().map(move |landmark| (*landmark, weight));
     Some(weights.into_iter().flat_map(of_each).collect())
 }

@@ -1,15 +1,16 @@
 //! Reading from TOML to curves of the map, as data or as a picture.
 
 use super::axes::{SINGLE, axis, given};
-use super::figure::{TOLERANCE, command, figure, in_order};
+use super::figure::{TOLERANCE, figure, in_order, weight_word};
 use super::scene_map::SceneMap;
-use super::schema::{MAX_ITEMS, Request};
+use super::schema::{ItemKind, MAX_ITEMS, Request};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven};
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit};
+use std::mem;
 
 /// The map, or curves of it.
 pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> Option<Request> {
@@ -42,27 +43,13 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
     if let Some(message) = asked.misfit(key) {
         return table.refuse(message);
     }
-    let plane = asked.plane();
-    let mut command = command("map", &weights, tolerance);
-    let names: Vec<String> = curves.iter().map(ToString::to_string).collect();
-    if !names.is_empty() {
-        command += &format!(" --curve {}", names.join(","));
-    }
-    for contour in &contours {
-        command += &format!(" --{} {}", contour.name().replace(' ', "-"), contour.given());
-    }
-    if bare {
-        command += " --bare";
-    }
-    if asymmetric {
-        command += " --asymmetric";
-    }
-    if lines {
-        command += " --lines";
-    } else if format.is_picture {
-        command += &format!(" --plane {}", plane.name());
-    }
-    command += &words(table, &marks);
+    let said = |name| {
+        let all = contours.iter().filter(|of| of.name().replace(' ', "_") == name);
+        (name, all.map(Contour::given).collect())
+    };
+    let [alpha, eta, mu] = ["half_opening", "thickness", "friction"].map(said);
+    let said = [alpha, eta, mu, ("weight", vec![weight_word(&weights)])];
+    let command = table.command("couplet map".to_owned(), ItemKind::Map, &said);
     let named = (&curves[..], contours.clone());
     Some(Request::Map(SceneMap::new(&asked, &weights, named, tolerance, marks, command)))
 }
@@ -77,9 +64,16 @@ pub(super) fn read_figure(table: &mut TableReader) -> Option<Request> {
     let tolerance = table.if_given("tolerance", tolerance);
     let (number, weights, tolerance) = (number?, weights?, tolerance?);
     let weights = weights.or_else(|| table.reader.weights.clone());
-    figure(number, weights, tolerance, str::to_owned)
-        .or_else(|said| table.refuse(said).ok_or(()))
-        .ok()
+    match figure(number, weights, tolerance, str::to_owned) {
+        Ok(mut what) => {
+            let said = [("number", Vec::new()), ("weight", Vec::new())];
+            if let Some(command) = what.command() {
+                *command = table.command(mem::take(command), ItemKind::Figure, &said);
+            }
+            Some(what)
+        }
+        Err(said) => table.refuse(said),
+    }
 }
 
 /// The keys of axes: of the half opening, the friction and the thickness, with the units of each.
@@ -111,16 +105,6 @@ fn marks(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Ma
         let marked = reader.said(key, element, str::parse::<Marked>)?;
         Some((element.get_ref().as_str(), marked))
     })
-}
-
-/// Options of axes and marks, as a command line has them.
-fn words(table: &TableReader, marks: &[Marked]) -> String {
-    let keys = AXES.iter().flat_map(|(unit, range, _)| [*unit, *range]);
-    let axes = keys.filter_map(|key| {
-        let value = table.get(key)?.get_ref().as_str()?;
-        Some(format!(" --{} {value}", key.replace('_', "-")))
-    });
-    axes.chain(marks.iter().map(|mark| format!(" --mark {mark}"))).collect()
 }
 
 fn plane(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Plane> {

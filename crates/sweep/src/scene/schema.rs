@@ -230,8 +230,8 @@ impl ItemKind {
             Self::Drawing => (
                 "drawing",
                 Sketched::content(),
-                "half_opening friction friction_angle thickness span rise radius measured_at density depth at mode weight amplitude dilatant half arrows \
-                 stones animate width font_size font caption full_caption title format output",
+                "half_opening friction friction_angle thickness span rise radius measured_at density depth at weight mode amplitude stones dilatant half \
+                 arrows animate width font_size font caption full_caption title format output",
             ),
         }
     }

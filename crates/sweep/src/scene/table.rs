@@ -1,5 +1,6 @@
 //! A table of TOML that is read key by key.
 
+use super::schema::ItemKind;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{Field, Misfit, notes};
@@ -92,6 +93,39 @@ impl<'a, 's> TableReader<'a, 's> {
         self.chosen(key, &Landmark::ALL, &names.concat(), Landmark::named)
     }
 
+    /// The command that asks for what an item of this kind does: each key is an option, said as the table has it or
+    /// otherwise.
+    pub(super) fn command(
+        &self,
+        mut command: String,
+        kind: ItemKind,
+        said: &[(&str, Vec<String>)],
+    ) -> String {
+        for key in kind.keys().into_iter().filter(|key| !["format", "output"].contains(key)) {
+            let value = Field::named(key).map_or_else(|| self.get(key), |of| self.given_field(of));
+            let texts = match (said.iter().find(|(of, _)| *of == key), value) {
+                (Some((_, texts)), _) => texts.clone(),
+                (None, Some(value)) => TomlReader::literals(value),
+                (None, None) => continue,
+            };
+            let option = match key {
+                "curves" | "marks" => key.trim_end_matches('s').to_owned(),
+                key => key.replace('_', "-"),
+            };
+            command.extend(texts.iter().map(|text| format!(" --{option} {}", quoted(text))));
+            match value.and_then(|value| value.get_ref().as_bool()) {
+                Some(false) if ["caption", "title"].contains(&key) => {
+                    command += &format!(" --no-{option}");
+                }
+                Some(true) if !["caption", "title"].contains(&key) => {
+                    command += &format!(" --{option}");
+                }
+                _ => {}
+            }
+        }
+        command
+    }
+
     /// Value of a field of an arch, under its name or its letter.
     pub(super) fn given_field(&self, field: Field) -> Option<&'a TomlValue<'a>> {
         self.get(field.name()).or_else(|| self.get(field.letter()?))
@@ -123,5 +157,13 @@ impl<'a, 's> TableReader<'a, 's> {
     /// Tells whether nothing was wrong since there were so many faults.
     pub(super) fn is_well_since(&self, faults: usize) -> bool {
         self.reader.faults.len() == faults
+    }
+}
+
+/// Word of a command line.
+fn quoted(text: &str) -> String {
+    match text.contains(|c: char| c.is_whitespace() || "()'".contains(c)) {
+        true => format!("'{}'", text.replace('\'', "'\\''")),
+        false => text.to_owned(),
     }
 }

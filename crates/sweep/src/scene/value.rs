@@ -151,6 +151,15 @@ impl<'s> TomlReader<'s> {
         }
     }
 
+    /// The texts of a number, of a text, or of a list of them.
+    pub(super) fn literals(value: &TomlValue) -> Vec<String> {
+        let all = match value.get_ref() {
+            DeValue::Array(all) => all.iter().filter_map(Self::literal).collect(),
+            _ => Vec::from_iter(Self::literal(value)),
+        };
+        all.into_iter().map(str::to_owned).collect()
+    }
+
     /// A double in a range.
     pub(super) fn double(
         &mut self,
