@@ -4,6 +4,7 @@ use super::computable::{Computable, Done};
 use super::same::{arch_key, number_key};
 use super::shared::Shared;
 use crate::arch::SelfWeight;
+use crate::ask::{ArchGiven, Misfit};
 use crate::atlas::{NoSketch, Sketch};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Landmark};
@@ -31,6 +32,18 @@ pub enum Pose {
     Standing(Arch, ExactNumber),
     /// At the friction at which it slides, with a thickness; the friction of the arch is not read.
     Sliding(Arch, ExactNumber),
+}
+
+impl Pose {
+    /// Pose of an arch as it is given: as it stands, at its least thickness where it has none, or where it slides.
+    pub fn of(given: &ArchGiven, weight: SelfWeight, slides: bool) -> Result<Self, Misfit> {
+        let arch = given.arch(weight)?;
+        Ok(match given.thickness.clone() {
+            Some(thickness) if slides => Self::Sliding(arch, thickness),
+            Some(thickness) => Self::Standing(arch, thickness),
+            None => Self::Least(arch),
+        })
+    }
 }
 
 impl DrawnArch {

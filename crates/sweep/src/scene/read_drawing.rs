@@ -112,12 +112,7 @@ fn pose(
     let asked = product(table, axes, 1, &mut 0)?.pop()?;
     let given = table.fitting(ArchGiven::read(&question, &asked, Spelling::Key))?;
     table.remark_on(&given.friction);
-    let arch = table.fitting(given.arch(weight))?;
-    let pose = match given.thickness {
-        Some(thickness) if slides => Pose::Sliding(arch, thickness),
-        Some(thickness) => Pose::Standing(arch, thickness),
-        None => Pose::Least(arch),
-    };
+    let pose = table.fitting(Pose::of(&given, weight, slides))?;
     Some((given.measures, pose))
 }
 

@@ -245,12 +245,9 @@ impl Store {
                 let mut file = File::open(&whole).map_err(failed)?;
                 is_written = name.has(&hash_of_pieces(&mut file, &[(0, *bytes)]).map_err(failed)?);
                 // Only what has the hash of its name is looked into.
-                let notes = if is_written { Notes::of(&file) } else { None };
-                is_ours &= !is_written
-                    || notes.is_some_and(|notes| {
-                        (&notes.plan, &notes.rows) == (&self.plan, rows)
-                            && notes.counts == name.counts
-                    });
+                let notes =
+                    || Notes { plan: self.plan.clone(), rows: rows.clone(), counts: name.counts };
+                is_ours &= !is_written || notes().are_of(&file);
             }
             match (is_ours, is_written) {
                 (false, _) => return Ok(PartState::Foreign(path.clone())),
