@@ -91,12 +91,8 @@ impl Columns {
         }
     }
 
-    /// Tells whether a name of the file is that of a column. Our own names may have capitals and blanks.
-    fn is(&self, column: &RowColumn, name: &str) -> bool {
-        self.is_plain(column, name, &plain(name))
-    }
-
-    /// Tells the same of a name whose plain form is known.
+    /// Tells whether a name of the file, with its plain form, is that of a column. Our own names may have capitals and
+    /// blanks.
     fn is_plain(&self, column: &RowColumn, name: &str, plain: &str) -> bool {
         column.theirs == name || (!self.named && column.theirs == plain)
     }
@@ -125,63 +121,61 @@ impl Columns {
         self.all.iter().any(|column| self.is_plain(column, name, plain))
     }
 
+    /// The place of each column among the names of a table or of an object, where it is there and asks anything. A name
+    /// that asks what is not read is refused, unless nothing stands under it.
+    fn found(
+        &self,
+        names: &[&str],
+        is_empty: impl Fn(&str) -> bool,
+    ) -> Result<Vec<Option<usize>>, String> {
+        let plains: Vec<Cow<str>> = names.iter().map(|name| plain(name)).collect();
+        let asks = self.asks(|name| plains.iter().any(|plain| plain == name));
+        let place = |column: &RowColumn| {
+            let is = |at: &usize| self.is_plain(column, names[*at], &plains[*at]);
+            let mut places = (0..names.len()).filter(|at| is(at) && asks(column));
+            match (places.next(), places.next()) {
+                (_, Some(_)) => Err(format!("there are two columns '{}'", column.theirs)),
+                (place, None) => Ok(place),
+            }
+        };
+        let found: Vec<_> = self.all.iter().map(place).collect::<Result<_, String>>()?;
+        let there = || self.all.iter().zip(&found).filter(|(_, place)| place.is_some());
+        for name in names {
+            if !is_empty(name) {
+                self.is_answered(name)?;
+            }
+            self.is_spelt(name, |role| there().any(|(column, _)| column.role == role))?;
+        }
+        Ok(found)
+    }
+
     /// Keeps the columns that a table has, with their places.
     pub fn places(&mut self, header: &[String]) -> Result<Vec<usize>, String> {
-        let asks = self.asks(|name| header.iter().any(|other| plain(other) == name));
-        self.all.retain(asks);
-        let place = |column: &RowColumn| header.iter().position(|name| self.is(column, name));
-        let places: Vec<Option<usize>> = self.all.iter().map(place).collect();
+        self.all.retain(self.asks(|name| header.iter().any(|other| plain(other) == name)));
+        let names: Vec<&str> = header.iter().map(String::as_str).collect();
+        let found = self.found(&names, |_| false)?;
+        let seen: Vec<bool> = found.iter().map(Option::is_some).collect();
         let shown = |message| format!("{message}; its columns are {}", shown(header));
-        let seen: Vec<bool> = places.iter().map(Option::is_some).collect();
         self.check(&seen, "the file has").map_err(shown)?;
-        for column in &self.all {
-            if header.iter().filter(|name| self.is(column, name)).count() > 1 {
-                return Err(format!("the file has two columns '{}'", column.theirs));
-            }
-        }
-        header.iter().try_for_each(|name| {
-            self.is_answered(name)?;
-            self.is_spelt(name, |role| {
-                self.all.iter().zip(&seen).any(|(column, seen)| *seen && column.role == role)
-            })
-        })?;
         let mut seen = seen.iter();
         self.all.retain(|_| seen.next() == Some(&true));
-        Ok(places.into_iter().flatten().collect())
+        Ok(found.into_iter().flatten().collect())
     }
 
     /// The cells of an object.
     pub fn cells(&self, object: &JsonObject) -> Result<Cells, String> {
-        let asks = self.asks(|name| object.names().any(|other| plain(other) == name));
-        let mut cells: Cells = vec![None; self.all.len()];
-        for name in object.names() {
-            let plain = &*plain(name);
-            let is = |column: &&RowColumn| self.is_plain(column, name, plain);
-            let mut named = self.all.iter().filter(is);
-            if named.clone().next().is_some() && !named.any(&asks) {
-                continue;
+        let names: Vec<&str> = object.names().collect();
+        let text = |name: &str| object.text(name);
+        let found = self.found(&names, |name| text(name).is_none_or(|text| text.is_empty()))?;
+        let mut there: Vec<(Role, &str)> = Vec::new();
+        for (column, place) in self.all.iter().zip(&found) {
+            let Some(name) = place.map(|place| names[place]) else { continue };
+            if let Some((_, other)) = there.iter().find(|(role, _)| *role == column.role) {
+                return Err(format!("'{other}' and '{}' are the same", shortened(name)));
             }
-            let Some(place) = self.all.iter().position(|column| is(&column)) else {
-                if object.text(name).is_some_and(|text| !text.is_empty()) {
-                    self.is_answered(name)?;
-                }
-                self.is_spelt(name, |role| {
-                    let has =
-                        |key: &str| self.all.iter().any(|c| c.role == role && self.is(c, key));
-                    object.names().any(has)
-                })?;
-                continue;
-            };
-            let role = self.all[place].role;
-            let before =
-                self.all.iter().zip(&cells).find(|(c, cell)| c.role == role && cell.is_some());
-            if let Some((other, _)) = before {
-                let (a, b) = (&other.theirs, shortened(name));
-                return Err(format!("'{a}' and '{b}' are the same"));
-            }
-            cells[place] = object.text(name);
+            there.push((column.role, name));
         }
-        Ok(cells)
+        Ok(found.into_iter().map(|place| text(names[place?])).collect())
     }
 
     /// Refuses a name of an arch that nothing here is asked about, unless it is handed on by name: it must not be

@@ -1,6 +1,6 @@
 //! Reading from TOML to a valid scene, or to everything that is wrong with it.
 
-use super::fault::{Fault, SceneText};
+use super::fault::Fault;
 use super::figure::in_order;
 use super::read_arches::arches;
 use super::read_drawing::drawing;
@@ -8,8 +8,7 @@ use super::read_map::{map, read_figure};
 use super::read_output::{OutputFiles, output};
 use super::read_print::print;
 use super::schema::{
-    DIGITS, ItemKind, MAX_BYTES, MAX_ITEMS, RANGE_DIGITS, Request, SCENE_KEYS, SCHEMA, Scene,
-    SceneItem,
+    DIGITS, ItemKind, MAX_ITEMS, RANGE_DIGITS, Request, SCENE_KEYS, SCHEMA, Scene, SceneItem,
 };
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
@@ -24,41 +23,16 @@ use toml::de::{DeTable, DeValue};
 
 /// Reads a scene from a file's bytes; see [`read`].
 pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Vec<Fault>> {
-    read(text_of(bytes, "a scene")?)
-}
-
-/// The text of a file of this kind.
-pub(super) fn text_of<'b>(bytes: &'b [u8], kind: &str) -> Result<&'b str, Vec<Fault>> {
-    let fault = |before: &str, message: String| {
-        Err(vec![Fault { place: SceneText::new(before).place(before.len()), message }])
-    };
-    if bytes.len() > MAX_BYTES {
-        return fault("", format!("{kind} has at most {MAX_BYTES} bytes"));
-    }
-    match str::from_utf8(bytes) {
-        Ok(text) => Ok(text),
-        Err(error) => {
-            let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-            fault(&before, "not TOML: this is not valid UTF-8".to_owned())
-        }
-    }
+    let (items, notes) = TomlReader::file(bytes, "a scene", SCHEMA, scene)?;
+    Ok(Scene { items, notes })
 }
 
 /// Reads a scene. Nothing is computed; the faults are all there are, in the order of the file.
 pub fn read(text: &str) -> Result<Scene, Vec<Fault>> {
-    let mut reader = TomlReader::new(text);
-    let root = reader.parsed(text)?;
-    let items = scene(&mut reader, root.get_ref());
-    match reader.faults.is_empty() {
-        true => Ok(Scene { items, notes: reader.notes }),
-        false => Err(reader.sorted()),
-    }
+    read_bytes(text.as_bytes())
 }
 
-fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<SceneItem> {
-    if !reader.has_schema(root, SCHEMA, "a scene") {
-        return Vec::new();
-    }
+fn scene(reader: &mut TomlReader, root: &DeTable) -> Option<Vec<SceneItem>> {
     let keys: Vec<&str> = SCENE_KEYS.into_iter().chain(ItemKind::ALL.map(ItemKind::name)).collect();
     reader.unknown_keys(root, "a scene", &keys);
     let mut whole = TableReader { reader, span: 0..0, table: root };
@@ -83,7 +57,7 @@ fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<SceneItem> {
     let items = tables.into_iter().filter_map(|(kind, span, table)| {
         item(TableReader { reader, span, table }, kind, &mut files, &mut used)
     });
-    items.collect()
+    Some(items.collect())
 }
 
 /// The tables of the items in the order of the file.

@@ -2,7 +2,6 @@
 
 use super::axes::{SINGLE, axes};
 use super::fault::Fault;
-use super::read::text_of;
 use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
@@ -19,20 +18,11 @@ const KEYS: [&str; 8] =
 
 /// Reads a plan from a file's bytes. Nothing is computed; the faults are all there are, in the order of the file.
 pub fn read_sweep(bytes: &[u8]) -> Result<SweepPlan, Vec<Fault>> {
-    let text = text_of(bytes, "a plan")?;
-    let mut reader = TomlReader::new(text);
-    let root = reader.parsed(text)?;
-    let plan = plan(&mut reader, root.get_ref());
-    match plan.filter(|_| reader.faults.is_empty()) {
-        Some(plan) => Ok(SweepPlan { notes: reader.notes, ..plan }),
-        None => Err(reader.sorted()),
-    }
+    let (plan, notes) = TomlReader::file(bytes, "a plan", SWEEP_SCHEMA, plan)?;
+    Ok(SweepPlan { notes, ..plan })
 }
 
 fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
-    if !reader.has_schema(root, SWEEP_SCHEMA, "a plan") {
-        return None;
-    }
     reader.unknown_keys(root, "a plan", &KEYS);
     let mut table = TableReader { reader, span: 0..0, table: root };
     let given = table.if_given("weight", TomlReader::weights);

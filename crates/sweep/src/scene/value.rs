@@ -1,7 +1,7 @@
 //! TOML values of the types that a scene has; any other type is a fault.
 
 use super::fault::{Fault, SceneText};
-use super::schema::{DIGITS, RANGE_DIGITS};
+use super::schema::{DIGITS, MAX_BYTES, RANGE_DIGITS};
 use crate::arch::SelfWeight;
 use crate::ask::Field;
 use crate::report::words::{did_you_mean, list, shortened};
@@ -29,34 +29,49 @@ pub(super) struct TomlReader<'s> {
 }
 
 impl<'s> TomlReader<'s> {
-    pub(super) fn new(text: &'s str) -> Self {
-        let source = SceneText::new(text);
-        Self {
-            source,
+    /// What `read` reads of the bytes of a file of this kind and version, with remarks; or all that is wrong with it, in
+    /// the order of the file.
+    pub(super) fn file<T>(
+        bytes: &'s [u8],
+        kind: &str,
+        schema: &str,
+        read: impl FnOnce(&mut Self, &DeTable) -> Option<T>,
+    ) -> Result<(T, Vec<Fault>), Vec<Fault>> {
+        let text =
+            str::from_utf8(bytes).or_else(|error| str::from_utf8(&bytes[..error.valid_up_to()]));
+        let text = text.unwrap_or_default();
+        let mut reader = Self {
+            source: SceneText::new(text),
             faults: Vec::new(),
             notes: Vec::new(),
             digits: DIGITS,
             range_digits: RANGE_DIGITS,
             weights: None,
+        };
+        let found = if bytes.len() > MAX_BYTES {
+            reader.refuse(0..0, format!("{kind} has at most {MAX_BYTES} bytes"))
+        } else if text.len() < bytes.len() {
+            reader.refuse(text.len()..text.len(), "not TOML: this is not valid UTF-8")
+        } else {
+            let (root, errors) = DeTable::parse_recoverable(text);
+            for error in &errors {
+                let message = format!("not TOML: {}", error.message().replace('\n', " "));
+                reader.fault(error.span().unwrap_or(0..0), message);
+            }
+            let is_read = errors.is_empty() && reader.has_schema(root.get_ref(), schema, kind);
+            if is_read { read(&mut reader, root.get_ref()) } else { None }
+        };
+        let Self { mut faults, notes, .. } = reader;
+        if let Some(found) = found.filter(|_| faults.is_empty()) {
+            return Ok((found, notes));
         }
-    }
-
-    /// The table that the text is, or what is wrong with it as TOML.
-    pub(super) fn parsed<'t>(&mut self, text: &'t str) -> Result<Spanned<DeTable<'t>>, Vec<Fault>> {
-        let (root, errors) = DeTable::parse_recoverable(text);
-        if errors.is_empty() {
-            return Ok(root);
-        }
-        for error in errors {
-            let span = error.span().unwrap_or(0..0);
-            self.fault(span, format!("not TOML: {}", error.message().replace('\n', " ")));
-        }
-        self.sort();
-        Err(std::mem::take(&mut self.faults))
+        faults.sort();
+        faults.dedup();
+        Err(faults)
     }
 
     /// Tells whether a file is of the version that is read here: of another nothing can be said.
-    pub(super) fn has_schema(&mut self, root: &DeTable, schema: &str, what: &str) -> bool {
+    fn has_schema(&mut self, root: &DeTable, schema: &str, what: &str) -> bool {
         match root.get("schema") {
             Some(value) if value.get_ref().as_str() == Some(schema) => true,
             Some(value) => {
@@ -68,17 +83,6 @@ impl<'s> TomlReader<'s> {
                 true
             }
         }
-    }
-
-    fn sort(&mut self) {
-        self.faults.sort();
-        self.faults.dedup();
-    }
-
-    /// The faults in the order of the file, each once.
-    pub(super) fn sorted(mut self) -> Vec<Fault> {
-        self.sort();
-        self.faults
     }
 
     pub(super) fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
