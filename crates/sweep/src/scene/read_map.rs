@@ -23,35 +23,32 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
     let plane = table.if_given("plane", plane);
     let [lines, bare, asymmetric] = ["lines", "bare", "asymmetric"].map(|key| table.truth(key));
     let (axes, marks) = (axes(table), table.or("marks", Vec::new(), marks));
-    let (weights, curves, contours, bare) = (weights?, curves?, contours?, bare?);
-    let (axes, marks) = (axes?, marks?);
-    let (tolerance, plane, lines, asymmetric) = (tolerance?, plane?, lines?, asymmetric?);
-    let format = format?;
-    let axes = if asymmetric { axes.of_asymmetric(format) } else { axes };
+    let (axes, format) = (axes?, format?);
+    let axes = if asymmetric == Some(true) { axes.of_asymmetric(format) } else { axes };
     let asked = MapAsked {
         format,
-        weights: weights.len(),
-        names_curves: !curves.is_empty(),
-        contours: &contours,
-        plane,
-        lines,
-        bare,
-        asymmetric,
-        axes: &axes,
-        has_marks: !marks.is_empty(),
+        weights: weights?,
+        curves: curves?,
+        contours: contours?,
+        plane: plane?,
+        lines: lines?,
+        bare: bare?,
+        asymmetric: asymmetric?,
+        axes,
+        marks: marks?,
+        tolerance: tolerance?,
     };
     if let Some(message) = asked.misfit(key) {
         return table.refuse(message);
     }
     let said = |name| {
-        let all = contours.iter().filter(|of| of.name().replace(' ', "_") == name);
+        let all = asked.contours.iter().filter(|of| of.name().replace(' ', "_") == name);
         (name, all.map(Contour::given).collect())
     };
     let [alpha, eta, mu] = ["half_opening", "thickness", "friction"].map(said);
-    let said = [alpha, eta, mu, ("weight", vec![weight_word(&weights)])];
+    let said = [alpha, eta, mu, ("weight", vec![weight_word(&asked.weights)])];
     let command = table.command("couplet map".to_owned(), ItemKind::Map, &said);
-    let named = (&curves[..], contours.clone());
-    Some(Request::Map(SceneMap::new(&asked, &weights, named, tolerance, marks, command)))
+    Some(Request::Map(SceneMap::new(asked, command)))
 }
 
 /// A figure of the paper.
