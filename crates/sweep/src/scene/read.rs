@@ -15,6 +15,7 @@ use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::certify::quantities as quantities_of;
 use crate::claims::{Claim, claims};
+use crate::parse::claims_named;
 use crate::picture::Print;
 use crate::problem::{Landmark, Quantity};
 use crate::report::words::{did_you_mean, list};
@@ -142,21 +143,16 @@ fn some_claims(table: &mut TableReader) -> Option<Request> {
 }
 
 fn chosen(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Claim>> {
-    let all = claims();
     let allowed = "ids of claims, or leave it out for all";
-    let names: Vec<&str> = reader.each_once(key, value, allowed, |reader, element| {
-        let name = element.get_ref().as_str().unwrap_or_default();
-        if all.iter().any(|claim| claim.is_named(name)) {
-            return Some((name, name));
+    let names = reader.each_once(key, value, allowed, |reader, element| {
+        let name = element.get_ref().as_str().unwrap_or_default().to_owned();
+        if claims_named(&[name.clone()]).is_ok() {
+            return Some((name.clone(), name));
         }
-        let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
-        let hint = did_you_mean(name, &ids);
-        reader.reject(
-            key,
-            element,
-            &format!("a claim{hint}; couplet prove --list shows the claims"),
-        )
+        let ids: Vec<&str> = claims().iter().map(|claim| claim.id).collect();
+        let allowed =
+            format!("a claim{}; couplet prove --list shows the claims", did_you_mean(&name, &ids));
+        reader.reject(key, element, &allowed)
     })?;
-    let is_chosen = |claim: &Claim| names.iter().any(|name| claim.is_named(name));
-    Some(all.into_iter().filter(is_chosen).collect())
+    claims_named(&names).ok()
 }

@@ -1,6 +1,6 @@
 //! Reading from TOML to an arch that is drawn.
 
-use super::axes::{Allowed, axes, example, given, is_measured, product};
+use super::axes::{axes, example, given, is_measured, product};
 use super::drawn::{DrawnArch, Pose};
 use super::schema::{ItemKind, Request, SceneDrawing};
 use super::table::TableReader;
@@ -108,7 +108,7 @@ fn pose(
     // Without a friction of its own an arch slides at the one at which it does.
     let slides = mode == Some(Mode::Sliding) && has(&[Field::Thickness]) && !has_friction;
     let question = ArchQuestion { unlimited: slides, ..ArchQuestion::ANY };
-    let axes = axes(table, &question, Allowed { ranges: false, measured })?;
+    let axes = axes(table, Some(&question), false)?;
     let asked = product(table, axes, 1, &mut 0)?.pop()?;
     let given = table.fitting(ArchGiven::read(&question, &asked, Spelling::Key))?;
     table.remark_on(&given.friction);

@@ -1,13 +1,13 @@
 //! Reading from TOML to curves of the map, as data or as a picture.
 
-use super::axes::{SINGLE, axis, given};
+use super::axes;
 use super::figure::{TOLERANCE, figure, in_order, weight_word};
 use super::scene_map::SceneMap;
 use super::schema::{ItemKind, MAX_ITEMS, Request};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven};
+use crate::ask::Misfit;
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit};
 use std::mem;
@@ -124,18 +124,14 @@ fn key(option: &str) -> String {
 
 /// The levels that a table names.
 fn contours(table: &mut TableReader) -> Option<Vec<Contour>> {
-    let before = table.reader.faults.len();
     let mut found = Vec::new();
-    for (field, value) in given(table) {
-        let Some(axis) = axis(table.reader, field, value, SINGLE) else { continue };
+    for axis in axes::axes(table, None, false)? {
         if axis.count > MAX_ITEMS {
-            let message = format!("a map has at most {MAX_ITEMS} lines of one {}", field.name());
-            table.reader.fault(value.span(), message);
-            continue;
+            let message =
+                format!("a map has at most {MAX_ITEMS} lines of one {}", axis.field.name());
+            return table.fitting(Err(Misfit { field: Some(axis.field), message }));
         }
-        for text in axis.texts {
-            let read = ArchGiven::part(&ArchAsked::of([(field, text.as_str())]));
-            let Some(of) = table.fitting(read) else { continue };
+        for of in axis.parts(table)? {
             found.extend(of.half_opening.map(Contour::HalfOpening));
             found.extend(of.thickness.map(Contour::Thickness));
             found.extend(of.friction.map(Contour::Friction));
@@ -143,7 +139,7 @@ fn contours(table: &mut TableReader) -> Option<Vec<Contour>> {
     }
     // In the order in which the command has them.
     found.sort_by_key(|of| matches!(of, Contour::Friction(_)));
-    table.is_well_since(before).then_some(found)
+    Some(found)
 }
 
 /// The largest half-width of a tube.

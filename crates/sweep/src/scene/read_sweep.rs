@@ -1,12 +1,12 @@
 //! Reading from TOML to the plan of a sweep, or to everything that is wrong with it.
 
-use super::axes::{SINGLE, axes};
+use super::axes::axes;
 use super::fault::Fault;
 use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, ArchQuestion};
+use crate::ask::{ArchGiven, ArchQuestion};
 use crate::certify::MAX_DIGITS;
 use crate::problem::Quantity;
 use toml::de::{DeTable, DeValue};
@@ -83,10 +83,8 @@ fn grid(table: &mut TableReader) -> Option<SweepArches> {
     let keys = ["half_opening", "friction", "friction_angle"];
     table.reader.unknown_keys(table.table, "[grid]", &keys);
     let (mut half_openings, mut frictions) = (Vec::new(), Vec::new());
-    for axis in axes(table, &ArchQuestion::ANY, SINGLE)? {
-        for text in axis.texts {
-            let read = ArchGiven::part(&ArchAsked::of([(axis.field, text.as_str())]));
-            let ArchGiven { half_opening, friction, .. } = table.fitting(read)?;
+    for axis in axes(table, Some(&ArchQuestion::ANY), false)? {
+        for ArchGiven { half_opening, friction, .. } in axis.parts(table)? {
             half_openings.extend(half_opening);
             frictions.extend(friction);
         }

@@ -4,7 +4,7 @@ use super::drawn::DrawnArch;
 use super::fault::{Fault, Position};
 use super::scene_map::SceneMap;
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, Field, SurveyGiven};
+use crate::ask::{ArchAsked, ArchGiven, Field};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
 use crate::picture::Print;
@@ -13,6 +13,7 @@ use crate::problem::measures::Measures;
 use crate::problem::{Landmark, Mode, Quantity};
 use crate::report::{
     Answers, Audit, Claims, Content, Format, Map, Reported, Sketched, Style, SurveyedRows,
+    Understood,
 };
 use std::path::PathBuf;
 
@@ -158,10 +159,8 @@ pub struct SceneSurvey {
 /// A question whose ranges are cut into boxes.
 #[derive(Clone, Debug)]
 pub struct SceneBoxes {
-    /// The texts.
-    pub asked: ArchAsked,
-    /// The reading of the texts.
-    pub given: SurveyGiven,
+    /// The question as it is understood.
+    pub asked: Understood,
     /// Fields that are cut, with the numbers of parts.
     pub cut: Vec<(Field, usize)>,
     /// Columns of a table of them.

@@ -6,6 +6,7 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::reader::{FileReader, SerializedFileReader};
 use std::fs::File;
 use std::ops::Range;
+use std::path::Path;
 
 /// Notes of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,8 +31,8 @@ impl Notes {
     }
 
     /// Tells whether a file has these notes, and as many rows as they say.
-    pub(super) fn are_of(&self, file: &File) -> bool {
-        let reader = file.try_clone().ok().and_then(|file| SerializedFileReader::new(file).ok());
+    pub(super) fn are_of(&self, path: &Path) -> bool {
+        let reader = File::open(path).ok().and_then(|file| SerializedFileReader::new(file).ok());
         let Some(reader) = reader else { return false };
         let there = reader.metadata().file_metadata();
         let is_there = |(key, text): (&str, String)| {

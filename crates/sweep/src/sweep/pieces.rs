@@ -2,7 +2,6 @@
 
 use crate::ask::Field;
 use crate::rows::{Columns, Purpose, Role, RowColumn};
-use crate::scene::Hashing;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 
@@ -26,16 +25,6 @@ pub(super) fn bytes_of(file: &mut File, offset: u64, length: u64) -> io::Result<
     let mut bytes = Vec::new();
     file.take(length).read_to_end(&mut bytes)?;
     Ok(bytes)
-}
-
-/// The hash of pieces of a file, each an offset and a length.
-pub(super) fn hash_of_pieces(file: &mut File, pieces: &[(u64, u64)]) -> io::Result<String> {
-    let mut hashing = Hashing::new(io::sink());
-    for &(offset, length) in pieces {
-        file.seek(SeekFrom::Start(offset))?;
-        io::copy(&mut file.take(length), &mut hashing)?;
-    }
-    Ok(hashing.hash())
 }
 
 /// Why a thickness is refused.

@@ -1,7 +1,7 @@
 //! Pieces of a file of a data set, a table of text or JSON lines: a piece is read without the rest of the file, and its
 //! hash says whether it still is what it was.
 
-use super::pieces::{CHANGED, FORCES, LEAST, OF_FORCES, asks_states, bytes_of, hash_of_pieces};
+use super::pieces::{CHANGED, FORCES, LEAST, OF_FORCES, asks_states, bytes_of};
 use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::check::reason;
@@ -132,7 +132,9 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<(Option<Head>, Vec<TextSl
             rows => pieces.push((rows, line, start + offset, all.looked() - offset)),
         }
     }
-    let mut hash = |offset, bytes| hash_of_pieces(&mut file, &[(offset, bytes)]).map_err(read);
+    let mut hash = |offset, length| {
+        bytes_of(&mut file, offset, length).map(|bytes| hash_of(&bytes)).map_err(read)
+    };
     let head = match head {
         Some(bytes) => Some(Head { offset: start, bytes, sha256: hash(start, bytes)? }),
         None => None,
