@@ -70,14 +70,17 @@ impl<'p> SceneRun<'p> {
     }
 }
 
+impl Scene {
+    /// Scene that asks for nothing but this.
+    pub fn one(kind: ItemKind, what: Request, (format, print): (&'static Format, &Print)) -> Self {
+        let (place, print, output) = (Position { line: 1, column: 1 }, print.clone(), None);
+        let items = vec![SceneItem { place, kind, what, format, print, output }];
+        Self { items, notes: Vec::new() }
+    }
+}
+
 /// The answer to one request, as that of a scene that asks for nothing else.
-pub fn answered(
-    kind: ItemKind,
-    what: Request,
-    (format, print): (&'static Format, &Print),
-) -> ItemReport {
-    let (place, print, output) = (Position { line: 1, column: 1 }, print.clone(), None);
-    let items = vec![SceneItem { place, kind, what, format, print, output }];
-    let scene = Scene { items, notes: Vec::new() };
+pub fn answered(kind: ItemKind, what: Request, how: (&'static Format, &Print)) -> ItemReport {
+    let scene = Scene::one(kind, what, how);
     SceneRun::new(&Plan::new(&scene, vec![false])).item(0, &|| ())
 }

@@ -91,9 +91,14 @@ fn listed(rows: TextRows, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, 
     let (mut lines, mut listed) = (Vec::new(), Listed::default());
     for (line, row) in rows.take(most) {
         lines.push(line);
-        match row.and_then(|row| of_state(&reader, row.cells)) {
-            Ok(cells) => listed.push_row(&reader, &cells),
-            Err(error) => listed.refuse(&Default::default(), error),
+        let mut texts = Default::default();
+        let arch = row.and_then(|row| of_state(&reader, row.cells)).and_then(|cells| {
+            texts = reader.described(&cells);
+            reader.arch(&cells)
+        });
+        match arch {
+            Ok((arch, ..)) => listed.push(arch),
+            Err(error) => listed.refuse(&texts, error),
         }
     }
     Ok((lines, listed))
