@@ -38,7 +38,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let is_asked =
         |landmark: &Landmark| arguments.only.is_empty() || arguments.only.contains(landmark);
     let landmarks = Landmark::ALL.into_iter().filter(is_asked);
-    let weights = arguments.weight.all();
+    let weights = arguments.weight.to_vec();
     let points = landmarks.flat_map(|of| weights.iter().map(move |&weight| (of, weight))).collect();
     let what = Request::Audit { points };
     let answer = answered(ItemKind::Audit, what, (format, &Print::default()));

@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let symbol = |landmark: &Landmark| landmark.symbol().to_owned();
     let named = each_once(arguments.landmarks.iter().copied(), |landmark| *landmark, symbol);
     let is_named = |landmark: &Landmark| named.is_empty() || named.contains(landmark);
-    let weights = arguments.weight.all();
+    let weights = arguments.weight.to_vec();
     let points: Vec<(Landmark, SelfWeight)> = weights
         .into_iter()
         .flat_map(|weight| {

@@ -231,11 +231,9 @@ impl DrawnMap {
 
     /// The weights asked for.
     fn weights(&self, format: &Format) -> Vec<SelfWeight> {
-        let usual = match format.is_page() {
-            true => Weights::Both,
-            false => Weights::One(SelfWeight::Milankovitch),
-        };
-        self.weight.unwrap_or(usual).all()
+        let usual: Weights =
+            if format.is_page() { &SelfWeight::ALL } else { &[SelfWeight::Milankovitch] };
+        self.weight.unwrap_or(usual).to_vec()
     }
 
     /// The levels asked for.
@@ -290,7 +288,7 @@ fn told(output: &OutputFile, report: &dyn Reported) -> Result<(), Failure> {
 fn point(asked: &PointArguments) -> Result<(), Failure> {
     let format = asked.file.format(asked.format, MapPoint::content(), "table")?;
     let (curve, exact) = (asked.curve, asked.at.parse::<ExactNumber>()?);
-    let weights = asked.weight.all();
+    let weights = asked.weight.to_vec();
     let weights = if curve.is_weightless() { &weights[..1] } else { &weights[..] };
     let points = weights.iter().map(|&weight| {
         let values = atlas::point(curve, weight, &exact, asked.digits);

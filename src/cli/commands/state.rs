@@ -137,7 +137,7 @@ fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure>
         let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
         Ok(Answer { modes: landmark.modes().to_vec(), ..answer })
     };
-    let list: Result<_, Error> = arguments.arch.weight.all().into_iter().map(answer).collect();
+    let list: Result<_, Error> = arguments.arch.weight.iter().copied().map(answer).collect();
     let (scope, kept) = (Scope::Point, Vec::new());
     let report = Answers { scope, digits, quantities, list: list?, kept };
     output.write(|out| report.write(format, out))
