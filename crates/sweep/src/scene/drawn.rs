@@ -97,24 +97,20 @@ impl Computable for DrawnArch {
 
 impl fmt::Display for DrawnArch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let weight = self.weight().name();
         if let Some(stones) = self.stones {
             write!(f, "{stones} stones, ")?;
         }
-        let (alpha, mu) = match &self.pose {
-            Pose::Landmark(landmark, _) => return write!(f, "{} {weight}", landmark.symbol()),
-            Pose::Least(arch) | Pose::Standing(arch, _) | Pose::Sliding(arch, _) => {
-                (arch.half_opening(), arch.friction())
-            }
-        };
+        let of = |arch: &Arch| format!("half opening {}", arch.half_opening());
         match &self.pose {
-            Pose::Standing(_, eta) => {
-                write!(f, "half opening {alpha}, friction {mu}, thickness {eta}, {weight}")
+            Pose::Landmark(landmark, _) => f.write_str(landmark.symbol())?,
+            Pose::Least(arch) => {
+                write!(f, "least thickness of {}, friction {},", of(arch), arch.friction())?;
             }
-            Pose::Sliding(_, eta) => {
-                write!(f, "sliding of half opening {alpha}, thickness {eta}, {weight}")
+            Pose::Standing(arch, eta) => {
+                write!(f, "{}, friction {}, thickness {eta},", of(arch), arch.friction())?;
             }
-            _ => write!(f, "least thickness of half opening {alpha}, friction {mu}, {weight}"),
+            Pose::Sliding(arch, eta) => write!(f, "sliding of {}, thickness {eta},", of(arch))?,
         }
+        write!(f, " {}", self.weight().name())
     }
 }

@@ -1,18 +1,18 @@
 //! Pieces of a file of a data set, a table of text or JSON lines: a piece is read without the rest of the file, and its
 //! hash says whether it still is what it was.
 
-use super::pieces::{CHANGED, FORCES, LEAST, OF_FORCES, asks_states, bytes_of};
 use super::query::Listed;
 use crate::arch::SelfWeight;
+use crate::ask::Field;
 use crate::check::reason;
 use crate::rows::{
-    ArchReader, BYTE_ORDER_MARK, Cells, Columns, GivenRows, Keep, Purpose, Role, TextRows,
+    ArchReader, BYTE_ORDER_MARK, Columns, GivenRows, Keep, Purpose, ReadRow, Role, TextRows,
     json_lines,
 };
 use crate::scene::hash_of;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
-use std::io::{self, BufRead, BufReader, Cursor, Seek, SeekFrom};
+use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
 use std::iter;
 use std::path::Path;
 
@@ -79,7 +79,9 @@ fn open(mut input: impl BufRead + Send + 'static) -> Result<TextRows, String> {
         });
     }
     let table = TextRows::open(Box::new(input)).map_err(|error| error.to_string())?;
-    asks_states(&table.header)?;
+    let mut columns = Columns::own(Purpose::Ask);
+    columns.places(&table.header)?;
+    asks_states(|role| columns.all.iter().any(|column| column.role == role))?;
     Ok(table)
 }
 
@@ -92,7 +94,8 @@ fn listed(rows: TextRows, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, 
     for (line, row) in rows.take(most) {
         lines.push(line);
         let mut texts = Default::default();
-        let arch = row.and_then(|row| of_state(&reader, row.cells)).and_then(|cells| {
+        let arch = row.and_then(|ReadRow { cells, .. }| {
+            asks_states(|role| reader.given(&cells, role).is_some())?;
             texts = reader.described(&cells);
             reader.arch(&cells)
         });
@@ -104,16 +107,24 @@ fn listed(rows: TextRows, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, 
     Ok((lines, listed))
 }
 
-/// The cells of a row that asks for nothing but a state.
-fn of_state(reader: &ArchReader, cells: Cells) -> Result<Cells, String> {
-    let has = |role| reader.given(&cells, role).is_some();
-    match has(Role::GivenThickness) {
-        true => Err(format!("it has a thickness; {LEAST}")),
-        false if OF_FORCES.into_iter().any(has) => {
-            Err(format!("it has a density or a depth; {FORCES}"))
-        }
-        false => Ok(cells),
-    }
+/// Refuses what asks for more than states, by the roles that it has.
+fn asks_states(has: impl Fn(Role) -> bool) -> Result<(), String> {
+    let (what, why) = if has(Role::GivenThickness) {
+        ("thickness", "asks for the least one")
+    } else if [Field::Density, Field::Depth].map(Role::Size).into_iter().any(has) {
+        ("density or a depth", "has no forces")
+    } else {
+        return Ok(());
+    };
+    Err(format!("it has a {what}; a sweep {why}, and `couplet states` answers both"))
+}
+
+/// Some bytes of a file.
+fn bytes_of(file: &mut File, offset: u64, length: u64) -> io::Result<Vec<u8>> {
+    file.seek(SeekFrom::Start(offset))?;
+    let mut bytes = Vec::new();
+    file.take(length).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 /// The pieces of a file, with at most so many rows each, and the head of a table; or what is wrong with the file.
@@ -161,7 +172,9 @@ pub(super) fn read(
     let mut input = |offset, length, sha256: &str| {
         let bytes = bytes_of(&mut file, offset, length).map_err(|error| reason(&error))?;
         let is_same = hash_of(&bytes) == sha256;
-        is_same.then(|| Box::new(Cursor::new(bytes))).ok_or_else(|| CHANGED.to_owned())
+        is_same.then(|| Box::new(Cursor::new(bytes))).ok_or_else(|| {
+            "it has changed since the sweep began; run again for a new one".to_owned()
+        })
     };
     let rows = match head {
         Some(head) => {
