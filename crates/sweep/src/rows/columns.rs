@@ -121,28 +121,27 @@ impl Columns {
         self.all.iter().any(|column| self.is_plain(column, name, plain))
     }
 
-    /// The place of each column among the names of a table or of an object, where it is there and asks anything. A name
-    /// that asks what is not read is refused, unless nothing stands under it.
+    /// The places of each column among the names of a table or of an object, where it is there and asks anything. A
+    /// name that asks what is not read is refused, unless nothing stands under it.
     fn found(
         &self,
         names: &[&str],
         is_empty: impl Fn(&str) -> bool,
-    ) -> Result<Vec<Option<usize>>, String> {
+    ) -> Result<Vec<Vec<usize>>, String> {
         let plains: Vec<Cow<str>> = names.iter().map(|name| plain(name)).collect();
         let asks = self.asks(|name| plains.iter().any(|plain| plain == name));
-        let place = |column: &RowColumn| {
-            let is = |at: &usize| self.is_plain(column, names[*at], &plains[*at]);
-            let mut places = (0..names.len()).filter(|at| is(at) && asks(column));
-            match (places.next(), places.next()) {
-                (_, Some(_)) => Err(format!("there are two columns '{}'", column.theirs)),
-                (place, None) => Ok(place),
-            }
+        let is = |column: &RowColumn, at: usize| self.is_plain(column, names[at], &plains[at]);
+        let places = |column: &RowColumn| match asks(column) {
+            true => (0..names.len()).filter(|at| is(column, *at)).collect(),
+            false => Vec::new(),
         };
-        let found: Vec<_> = self.all.iter().map(place).collect::<Result<_, String>>()?;
-        let there = || self.all.iter().zip(&found).filter(|(_, place)| place.is_some());
-        for name in names {
-            if !is_empty(name) {
-                self.is_answered(name)?;
+        let found: Vec<Vec<usize>> = self.all.iter().map(places).collect();
+        let there = || self.all.iter().zip(&found).filter(|(_, places)| !places.is_empty());
+        let is_none = |at: &usize| !self.all.iter().any(|column| is(column, *at));
+        for name in (0..names.len()).filter(is_none).map(|at| names[at]) {
+            match self.is_answered(name) {
+                Err(why) if !is_empty(name) => return Err(why),
+                _ => {}
             }
             self.is_spelt(name, |role| there().any(|(column, _)| column.role == role))?;
         }
@@ -154,12 +153,15 @@ impl Columns {
         self.all.retain(self.asks(|name| header.iter().any(|other| plain(other) == name)));
         let names: Vec<&str> = header.iter().map(String::as_str).collect();
         let found = self.found(&names, |_| false)?;
-        let seen: Vec<bool> = found.iter().map(Option::is_some).collect();
+        let seen: Vec<bool> = found.iter().map(|places| !places.is_empty()).collect();
         let shown = |message| format!("{message}; its columns are {}", shown(header));
         self.check(&seen, "the file has").map_err(shown)?;
+        if let Some((column, _)) = self.all.iter().zip(&found).find(|(_, all)| all.len() > 1) {
+            return Err(format!("the file has two columns '{}'", column.theirs));
+        }
         let mut seen = seen.iter();
         self.all.retain(|_| seen.next() == Some(&true));
-        Ok(found.into_iter().flatten().collect())
+        Ok(found.concat())
     }
 
     /// The cells of an object.
@@ -168,27 +170,28 @@ impl Columns {
         let text = |name: &str| object.text(name);
         let found = self.found(&names, |name| text(name).is_none_or(|text| text.is_empty()))?;
         let mut there: Vec<(Role, &str)> = Vec::new();
-        for (column, place) in self.all.iter().zip(&found) {
-            let Some(name) = place.map(|place| names[place]) else { continue };
-            if let Some((_, other)) = there.iter().find(|(role, _)| *role == column.role) {
-                return Err(format!("'{other}' and '{}' are the same", shortened(name)));
+        for (column, places) in self.all.iter().zip(&found) {
+            for name in places.iter().map(|place| names[*place]) {
+                if let Some((_, other)) = there.iter().find(|(role, _)| *role == column.role) {
+                    return Err(format!("'{other}' and '{}' are the same", shortened(name)));
+                }
+                there.push((column.role, name));
             }
-            there.push((column.role, name));
         }
-        Ok(found.into_iter().map(|place| text(names[place?])).collect())
+        Ok(found.iter().map(|places| text(names[*places.first()?])).collect())
     }
 
     /// Refuses a name of an arch that nothing here is asked about, unless it is handed on by name: it must not be
     /// dropped.
     fn is_answered(&self, name: &str) -> Result<(), String> {
-        let is_known = || self.have(name) || self.kept.iter().any(|kept| kept == name);
+        let is_kept = || self.kept.iter().any(|kept| kept == name);
         // The circle of sizes that are told alone asks nothing.
         let is_read = |field: Field| {
             let is = |role: &Role| role.field() == Some(field);
             field == Field::MeasuredAt || self.purpose.roles().iter().any(is)
         };
         let asks = self.purpose != Purpose::Assemblies;
-        match unanswered(name, is_read).filter(|_| asks && !is_known()) {
+        match unanswered(name, is_read).filter(|_| asks && !is_kept()) {
             Some(why) => Err(format!("{why}, and --keep {} hands it on", shortened(name))),
             None => Ok(()),
         }
@@ -196,7 +199,7 @@ impl Columns {
 
     /// Refuses a name that is nearly one of ours and asks for nothing: what it asks must not be dropped.
     fn is_spelt(&self, name: &str, has: impl Fn(Role) -> bool) -> Result<(), String> {
-        if self.purpose != Purpose::Ask || self.have(name) {
+        if self.purpose != Purpose::Ask {
             return Ok(());
         }
         let nearly = |column: &&RowColumn| {

@@ -113,7 +113,7 @@ impl TextRows {
         Self::of_lines(InputLines::new(input, line))
     }
 
-    /// The same of some lines.
+    /// Objects of JSON on some lines.
     pub(super) fn of_lines(lines: InputLines) -> Self {
         let (header, dialect, has_remarks) = (Vec::new(), None, false);
         Self { header, lines, dialect, has_remarks, is_broken: false, read: None }

@@ -31,7 +31,7 @@ struct Allowed {
 }
 
 impl ArchAxis {
-    /// What the texts say, each by itself.
+    /// Numbers that the texts say, each by itself.
     pub(super) fn parts(self, table: &mut TableReader) -> Option<Vec<ArchGiven>> {
         let part = |text: String| ArchGiven::part(&ArchAsked::of([(self.field, text.as_str())]));
         self.texts.map(|text| table.fitting(part(text))).collect()

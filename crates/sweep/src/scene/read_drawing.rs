@@ -60,6 +60,9 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     }
     let drawn = DrawnArch { pose, stones, is_dilatant };
     let mut said = vec![("weight", vec![drawn.weight().name().to_owned()])];
+    if let Pose::Landmark(landmark, _) = &drawn.pose {
+        said.push(("at", vec![landmark.symbol().to_owned()]));
+    }
     said.extend(mode.map(|mode| ("mode", vec![mode.label().to_owned()])));
     let command = table.command("couplet draw".to_owned(), ItemKind::Drawing, &said);
     let arches = vec![(drawn, mode.into_iter().collect())];

@@ -2,10 +2,9 @@
 
 use super::computable::Done;
 use super::cost::{Cost, measured};
-use super::fault::Position;
 use super::item_report::ItemReport;
 use super::plan::Plan;
-use super::schema::{ItemKind, Request, Scene, SceneItem};
+use super::schema::{ItemKind, Request, Scene};
 use super::shared::Shared;
 use super::work::Work;
 use crate::picture::Print;
@@ -67,15 +66,6 @@ impl<'p> SceneRun<'p> {
             (self.done[place], self.costs.0[place]) = (Some(result), Some(cost));
         }
         ItemReport::new(self.plan, &self.done, index)
-    }
-}
-
-impl Scene {
-    /// Scene that asks for nothing but this.
-    pub fn one(kind: ItemKind, what: Request, (format, print): (&'static Format, &Print)) -> Self {
-        let (place, print, output) = (Position { line: 1, column: 1 }, print.clone(), None);
-        let items = vec![SceneItem { place, kind, what, format, print, output }];
-        Self { items, notes: Vec::new() }
     }
 }
 

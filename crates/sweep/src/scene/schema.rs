@@ -45,6 +45,15 @@ pub struct Scene {
     pub notes: Vec<Fault>,
 }
 
+impl Scene {
+    /// Scene that asks for nothing but this.
+    pub fn one(kind: ItemKind, what: Request, (format, print): (&'static Format, &Print)) -> Self {
+        let (place, print, output) = (Position { line: 1, column: 1 }, print.clone(), None);
+        let items = vec![SceneItem { place, kind, what, format, print, output }];
+        Self { items, notes: Vec::new() }
+    }
+}
+
 /// Something that is asked for, and where it goes.
 #[derive(Clone, Debug)]
 pub struct SceneItem {

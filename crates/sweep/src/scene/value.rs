@@ -29,8 +29,8 @@ pub(super) struct TomlReader<'s> {
 }
 
 impl<'s> TomlReader<'s> {
-    /// What `read` reads of the bytes of a file of this kind and version, with remarks; or all that is wrong with it, in
-    /// the order of the file.
+    /// Content of the bytes of a file of this kind and version, as `read` reads it, with remarks; or all that is wrong
+    /// with it, in the order of the file.
     pub(super) fn file<T>(
         bytes: &'s [u8],
         kind: &str,
