@@ -146,7 +146,7 @@ fn chosen(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<C
     let allowed = "ids of claims, or leave it out for all";
     let names = reader.each_once(key, value, allowed, |reader, element| {
         let name = element.get_ref().as_str().unwrap_or_default().to_owned();
-        if claims_named(&[name.clone()]).is_ok() {
+        if claims_named(std::slice::from_ref(&name)).is_ok() {
             return Some((name.clone(), name));
         }
         let ids: Vec<&str> = claims().iter().map(|claim| claim.id).collect();
