@@ -20,10 +20,6 @@ pub(crate) struct Given {
     pub(crate) note: Option<String>,
 }
 
-/// Question of the page: an arch with a joint at every angle, at its least thickness or with one.
-const QUESTION: ArchQuestion =
-    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
-
 /// Reads it; span and rise are those of the intrados, unless another circle is named.
 pub(crate) fn given(question: &Question) -> Result<Given, String> {
     let Question { weight, half_opening, span, rise, radius, measured_at, .. } = question;
@@ -41,8 +37,8 @@ pub(crate) fn given(question: &Question) -> Result<Given, String> {
     if asked.has_range() {
         return Err(ranges(&asked, weight));
     }
-    let given =
-        ArchGiven::read(&QUESTION, &asked, Spelling::Key).map_err(|misfit| misfit.to_string())?;
+    let given = ArchGiven::read(&ArchQuestion::ANY, &asked, Spelling::Key);
+    let given = given.map_err(|misfit| misfit.to_string())?;
     let arch = given.arch(weight).map_err(|misfit| misfit.to_string())?;
     let note = given.notes().into_iter().next();
     Ok(Given { arch, thickness: given.thickness, measures: given.measures, note })

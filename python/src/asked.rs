@@ -65,7 +65,7 @@ pub(crate) fn constants<'py>(
         true => Landmark::ALL.to_vec(),
         false => landmarks.iter().map(read).collect::<PyResult<_>>()?,
     };
-    let weights = parse::weights(weight).map_err(wrong)?.all();
+    let weights = parse::weights(weight).map_err(wrong)?;
     let wanted = names.iter().map(|name| parse::quantity(name).map_err(wrong));
     let wanted: Vec<Quantity> = wanted.collect::<PyResult<_>>()?;
     let digits = parse::digits(digits).map_err(wrong)?;

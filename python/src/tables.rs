@@ -178,10 +178,7 @@ impl Table {
         let reader = ArchReader { columns, weight: self.weight, doubles: false, spelling };
         let row = |row: &usize| {
             let cells: Cells = self.cells.iter().map(|cells| Some(cells.text(*row))).collect();
-            let arch = reader.arch(&cells)?;
-            let eta = reader.given(&cells, Role::GivenThickness);
-            let eta = eta.map(|said| parse::thickness(&reader.exact(said))).transpose()?;
-            Ok((arch, eta))
+            reader.arch(&cells).map(|(arch, thickness, _)| (arch, thickness))
         };
         let rows: Vec<usize> = (0..self.cells.iter().map(Column::len).min().unwrap_or(0)).collect();
         let arches = Threads::Pool.each(&rows, row);

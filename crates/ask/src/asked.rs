@@ -93,6 +93,10 @@ fields!(
 );
 
 impl Field {
+    /// Sizes of an arch in metres, and what makes forces of them.
+    pub const SIZES: [Self; 6] =
+        [Self::Span, Self::Rise, Self::Radius, Self::MeasuredAt, Self::Density, Self::Depth];
+
     /// Field of a name or a letter.
     pub fn named(name: &str) -> Option<Self> {
         let is = |field: &&Self| field.name() == name || field.letter() == Some(name);

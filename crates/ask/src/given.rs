@@ -127,7 +127,7 @@ pub(super) fn friction(asked: &ArchAsked) -> Result<Option<Friction>, Misfit> {
 }
 
 /// Thickness over the radius, of a text that is a ratio or, of an arch with measures, a length.
-pub fn given_thickness(
+pub(super) fn given_thickness(
     text: &str,
     measures: Option<&Measures>,
     spelling: Spelling,

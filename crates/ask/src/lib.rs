@@ -27,7 +27,7 @@ mod survey;
 
 pub use asked::{ArchAsked, Field};
 pub use boxes::{boxes, steps};
-pub use given::{ArchGiven, given_thickness};
+pub use given::ArchGiven;
 pub use note::{array_note, notes, tilt_note};
 pub use question::{ArchQuestion, Misfit, Spelling};
 pub use range::{Range, RangeError};

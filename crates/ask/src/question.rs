@@ -75,6 +75,9 @@ const ARC: [Field; 4] = [Field::HalfOpening, Field::Span, Field::Rise, Field::Ra
 const WITH: [(Field, Field); 2] = [(Field::Density, Field::Depth), (Field::Depth, Field::Density)];
 
 impl ArchQuestion {
+    /// Question that takes any field, about an arch with a half opening and a friction.
+    pub const ANY: Self = Self { refuses: &[], needs: &[], unlimited: false, example: "" };
+
     /// Checks that what is given goes together.
     pub fn fits(&self, asked: &ArchAsked, spelling: Spelling) -> Result<(), Misfit> {
         let has = |field: Field| asked.get(field).is_some();

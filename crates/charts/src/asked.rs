@@ -1,19 +1,20 @@
 //! Request for a map: what is to be shown, and whether it goes together: for the command and for a scene.
 
-use crate::atlas::Contour;
+use crate::arch::SelfWeight;
+use crate::atlas::{Contour, Curve};
 use crate::report::Format;
-use crate::{Axes, Plane};
+use crate::{Axes, Marked, Plane};
 
 /// Request for a map.
-pub struct MapAsked<'a> {
+pub struct MapAsked {
     /// Format in which it is written.
-    pub format: &'a Format,
-    /// Number of weights.
-    pub weights: usize,
-    /// True if curves are named.
-    pub names_curves: bool,
+    pub format: &'static Format,
+    /// The weights.
+    pub weights: Vec<SelfWeight>,
+    /// The curves that are named.
+    pub curves: Vec<Curve>,
     /// The levels that are named.
-    pub contours: &'a [Contour],
+    pub contours: Vec<Contour>,
     /// The plane, if one is named.
     pub plane: Option<Plane>,
     /// True if the lines alone are named.
@@ -23,12 +24,14 @@ pub struct MapAsked<'a> {
     /// True if there are asymmetric branches.
     pub asymmetric: bool,
     /// Ranges and units in which the quantities are shown.
-    pub axes: &'a Axes,
-    /// True if arches are marked.
-    pub has_marks: bool,
+    pub axes: Axes,
+    /// The arches that are marked.
+    pub marks: Vec<Marked>,
+    /// The largest half-width of a tube.
+    pub tolerance: f64,
 }
 
-impl MapAsked<'_> {
+impl MapAsked {
     /// The plane: the usual one, if none is named.
     pub fn plane(&self) -> Plane {
         self.plane.unwrap_or(Plane::ThicknessFriction)
@@ -38,7 +41,7 @@ impl MapAsked<'_> {
     /// `key` says what he calls an option.
     pub fn misfit(&self, key: fn(&str) -> String) -> Option<String> {
         let (is_picture, is_page) = (self.format.is_picture, self.format.is_page());
-        let (plane, has_axes) = (self.plane(), *self.axes != Axes::default());
+        let (plane, has_axes) = (self.plane(), self.axes != Axes::default());
         let is_drawn_otherwise = self.plane.is_some() || self.lines || self.bare;
         let has_contours = !self.contours.is_empty();
         let is_over_opening = is_picture && plane == Plane::OpeningFriction;
@@ -48,13 +51,13 @@ impl MapAsked<'_> {
                 .map(key);
         let levels = ["half_opening", "thickness"].map(key).join(", ");
         let axes = plane.name().replace('-', " and ");
-        Some(if is_page && (self.names_curves || is_drawn_otherwise) {
+        Some(if is_page && (!self.curves.is_empty() || is_drawn_otherwise) {
             format!("a page shows the whole map; leave out {curve}, {over}, {lines} and {bare}")
         } else if !is_picture && is_drawn_otherwise {
             format!("{over}, {lines} and {bare} are for a picture, svg, png or pdf")
         } else if self.lines && plane != Plane::ThicknessFriction {
             format!("{lines} are drawn over thickness and friction; leave out {over}")
-        } else if is_picture && !self.lines && self.weights > 1 {
+        } else if is_picture && !self.lines && self.weights.len() > 1 {
             format!("a map shows one {weight}; {lines} shows the lines of both")
         } else if self.lines && (self.bare || has_contours) {
             format!("{lines} are drawn alone; leave out {bare}, {levels} and {friction}")
@@ -64,7 +67,7 @@ impl MapAsked<'_> {
             format!("over {axes} lines of a {} are drawn", plane.contour_name())
         } else if self.asymmetric && (is_page || (is_picture && !is_over_opening)) {
             format!("{asymmetric} is drawn with {over} opening-friction, as svg, png or pdf")
-        } else if self.has_marks && (!(is_picture || is_page) || self.lines) {
+        } else if !self.marks.is_empty() && (!(is_picture || is_page) || self.lines) {
             format!("for {mark} give a map as svg, png, pdf or html, without {lines}")
         } else if has_axes && (!is_picture || self.lines) {
             format!("units, ranges and a scale are for a map as svg, png or pdf, without {lines}")
@@ -103,15 +106,16 @@ mod tests {
         ] {
             let asked = MapAsked {
                 format: Format::named(Map::content(), name).unwrap(),
-                weights: 1,
-                names_curves: false,
-                contours: if level { &levels } else { &[] },
+                weights: vec![SelfWeight::Heyman],
+                curves: Vec::new(),
+                contours: levels[..usize::from(level)].to_vec(),
                 plane: plane.and_then(Plane::named),
                 lines,
                 bare,
                 asymmetric: false,
-                axes: &Axes::default(),
-                has_marks: false,
+                axes: Axes::default(),
+                marks: Vec::new(),
+                tolerance: 1e-4,
             };
             let found = asked.misfit(str::to_owned);
             match expected {

@@ -28,7 +28,7 @@ pub struct Shown {
 }
 
 /// A unit of an axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Unit {
     /// Degrees, and of the thickness itself.
     #[default]

@@ -5,7 +5,7 @@ use crate::picture::scale::Tick;
 use crate::picture::text;
 
 /// A plane in which the map is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Plane {
     /// Thickness over friction angle, as Figures 5 and 6 of the paper: every domain is an area.
     ThicknessFriction,

@@ -89,12 +89,8 @@ impl Failure {
     /// A failure if anything of what was to be `done` stays open.
     pub fn unless_all(done: &str, open: &[impl AsRef<str>]) -> Result<(), Self> {
         let open: Vec<&str> = open.iter().map(AsRef::as_ref).collect();
-        match open.is_empty() {
-            true => Ok(()),
-            false => {
-                Err(Self::Undecided(format!("not everything was {done}: {}", open.join(", "))))
-            }
-        }
+        let all = format!("not everything was {done}: {}", open.join(", "));
+        Self::of_open((!open.is_empty()).then_some(all))
     }
 
     /// A failure to write: the destination, and the reason; of what cannot be written as asked the reason alone.

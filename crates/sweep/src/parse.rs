@@ -57,32 +57,17 @@ pub fn weight(text: &str) -> Result<SelfWeight, String> {
 }
 
 /// One self-weight model, or both.
-#[derive(Clone, Copy, Debug)]
-pub enum Weights {
-    /// The one weight.
-    One(SelfWeight),
-    /// Heyman and Milankovitch.
-    Both,
-}
-
-impl Weights {
-    /// The models asked for.
-    pub fn all(self) -> Vec<SelfWeight> {
-        match self {
-            Self::One(weight) => vec![weight],
-            Self::Both => SelfWeight::ALL.to_vec(),
-        }
-    }
-}
+pub type Weights = &'static [SelfWeight];
 
 /// A self-weight model, or `both`.
 pub fn weights(text: &str) -> Result<Weights, String> {
+    let all: Weights = &SelfWeight::ALL;
     if text.eq_ignore_ascii_case("both") {
-        return Ok(Weights::Both);
+        return Ok(all);
     }
     let [heyman, milankovitch] = SelfWeight::ALL.map(SelfWeight::name);
-    let names = [heyman, milankovitch, "both"];
-    SelfWeight::named(text).map(Weights::One).ok_or_else(|| unknown("a weight", text, &names))
+    let one = SelfWeight::named(text).and_then(|of| all.chunks(1).find(|one| one[0] == of));
+    one.ok_or_else(|| unknown("a weight", text, &[heyman, milankovitch, "both"]))
 }
 
 /// A quantity by its name.

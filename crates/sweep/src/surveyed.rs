@@ -56,9 +56,6 @@ pub fn of_rows(has: impl Fn(Field) -> bool) -> Vec<Quantity> {
     distinct(told(&has).into_iter().chain(least).filter(is_told))
 }
 
-/// Question that is read already.
-const READ: ArchQuestion = ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
-
 /// All arches of a question and of a self-weight, with what is proved of them; where their geometric safety is told and
 /// more than one measure has a tolerance, also with what each of these does to it alone.
 pub fn surveyed(
@@ -75,7 +72,7 @@ pub fn surveyed(
     }
     let alone = |measure: Field| -> Result<SurveyedArches, Failure> {
         let asked = asked.alone(measure).map_err(|misfit| misfit.message)?;
-        let given = SurveyGiven::read(&READ, &asked, Spelling::Key);
+        let given = SurveyGiven::read(&ArchQuestion::ANY, &asked, Spelling::Key);
         ranges(&asked, &given.map_err(|misfit| misfit.message)?, weight, (&safety, digits))
     };
     let alone = |measure| {
@@ -140,7 +137,7 @@ mod tests {
             thickness: text("0.8498609..0.8517507"),
             ..ArchAsked::default()
         };
-        let given = SurveyGiven::read(&READ, &asked, Spelling::Option).unwrap();
+        let given = SurveyGiven::read(&ArchQuestion::ANY, &asked, Spelling::Option).unwrap();
         let told = quantities(&asked);
         let of = (&told[..], 6);
         let mut all = surveyed(&asked, &given, SelfWeight::Milankovitch, of).unwrap();

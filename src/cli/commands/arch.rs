@@ -54,7 +54,7 @@ impl ArchArguments {
     pub(super) fn read(&self, question: &ArchQuestion) -> Result<(ArchGiven, Vec<Arch>), Failure> {
         let given = ArchGiven::read(question, &self.asked, Spelling::Option)?;
         let arches: Result<_, _> =
-            self.weight.all().into_iter().map(|weight| given.arch(weight)).collect();
+            self.weight.iter().copied().map(|weight| given.arch(weight)).collect();
         Ok((given, arches?))
     }
 
@@ -66,8 +66,8 @@ impl ArchArguments {
     /// The self-weight, if it is one.
     pub(super) fn one_weight(&self) -> Result<SelfWeight, Failure> {
         match self.weight {
-            Weights::One(weight) => Ok(weight),
-            Weights::Both => Err("a picture shows one weight: give --weight a name".into()),
+            &[weight] => Ok(weight),
+            _ => Err("a picture shows one weight: give --weight a name".into()),
         }
     }
 }

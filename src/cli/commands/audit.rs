@@ -1,12 +1,12 @@
 //! `couplet audit`.
 
 use super::output::OutputFile;
-use crate::certify::{CertifiedLandmark, Enclosed, Undecided};
-use crate::judge::{audit_of, compare_weights_of, enclosed};
+use crate::picture::Print;
 use crate::problem::Landmark;
 use crate::report::{Audit, Format, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
+use crate::sweep::scene::{ItemKind, Request, answered};
 use clap::Args;
 
 /// Compare every number the paper prints with certified ones.
@@ -38,13 +38,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let is_asked =
         |landmark: &Landmark| arguments.only.is_empty() || arguments.only.contains(landmark);
     let landmarks = Landmark::ALL.into_iter().filter(is_asked);
-    let weights = arguments.weight.all();
-    let points: Result<Vec<Enclosed>, Undecided> = landmarks
-        .flat_map(|landmark| weights.iter().map(move |&weight| (landmark, weight)))
-        .map(|(landmark, weight)| enclosed(&CertifiedLandmark::new(landmark, weight)?))
-        .collect();
-    let points = points?;
-    let (printed, comparisons) = (audit_of(&points)?, compare_weights_of(&points)?);
-    let report = Audit { printed, comparisons };
-    output.write(|out| report.write(format, out))
+    let weights = arguments.weight.to_vec();
+    let points = landmarks.flat_map(|of| weights.iter().map(move |&weight| (of, weight))).collect();
+    let what = Request::Audit { points };
+    let answer = answered(ItemKind::Audit, what, (format, &Print::default()));
+    output.write(|out| answer.write(out))?;
+    Failure::of_open(answer.undecided)
 }

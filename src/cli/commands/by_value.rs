@@ -95,7 +95,7 @@ pub(super) fn print(
         let found = Error::apart(asked.find(weight, arch.digits()))?;
         Ok(ByValue { weight, asked: asked.clone(), quantities: quantities.clone(), found })
     };
-    let all: Vec<ByValue> = arch.weight.all().into_iter().map(answer).collect::<Result<_, _>>()?;
+    let all: Vec<ByValue> = arch.weight.iter().copied().map(answer).collect::<Result<_, _>>()?;
     let open: Vec<String> =
         all.iter().filter_map(ByValue::first_open).map(ToString::to_string).collect();
     file.report((&all, format), open.first())

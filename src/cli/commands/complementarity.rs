@@ -137,7 +137,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (at, given) = read(&arguments.arch.asked)?;
     let asked = arguments.arch.understood(&given);
     let stones = stones(&given)?;
-    let weights = arguments.arch.weight.all().into_iter();
+    let weights = arguments.arch.weight.iter().copied();
     let arches: Vec<Arch> = weights.map(|weight| given.arch(weight)).collect::<Result<_, _>>()?;
     let format =
         arguments.file.format(arguments.format, ComplementarityArch::content(), "table")?;
@@ -239,7 +239,7 @@ fn branches(arguments: &Arguments) -> Result<(), Failure> {
     };
     let arch =
         |weight| BranchArch { weight, half_opening: half_opening.clone(), found: found(weight) };
-    let arches: Vec<BranchArch> = arguments.arch.weight.all().into_iter().map(arch).collect();
+    let arches: Vec<BranchArch> = arguments.arch.weight.iter().copied().map(arch).collect();
     let open: Vec<String> = arches.iter().flat_map(BranchArch::open).collect();
     let is_empty = arches.iter().all(|arch| arch.found.is_err());
     if let (true, true, Some(Err(why))) =

@@ -4,13 +4,13 @@ use super::notes::each_once;
 use super::output::AnswerOutput;
 use super::progress;
 use crate::arch::SelfWeight;
-use crate::certify::{CertifiedLandmark, Error, fingerprint, quantities};
+use crate::certify::quantities;
+use crate::picture::Print;
 use crate::problem::{Landmark, Quantity};
-use crate::report::{Answer, Answers, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
+use crate::sweep::scene::{ItemKind, Plan, Request, Scene, SceneRun};
 use clap::Args;
-use rayon::prelude::*;
 
 /// Print the landmark constants, each with a proof.
 ///
@@ -58,52 +58,26 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let symbol = |landmark: &Landmark| landmark.symbol().to_owned();
     let named = each_once(arguments.landmarks.iter().copied(), |landmark| *landmark, symbol);
     let is_named = |landmark: &Landmark| named.is_empty() || named.contains(landmark);
-    let weights = arguments.weight.all();
+    let weights = arguments.weight.to_vec();
     let points: Vec<(Landmark, SelfWeight)> = weights
         .into_iter()
         .flat_map(|weight| {
             Landmark::ALL.into_iter().filter(is_named).map(move |landmark| (landmark, weight))
         })
         .collect();
-    // In the order in which they were asked for.
-    let asked = |landmark| -> Vec<(Quantity, usize)> {
-        let has = |wanted: &&Quantity| quantities(landmark).any(|quantity| quantity == **wanted);
-        wanted.iter().filter(has).map(|&quantity| (quantity, digits)).collect()
+    let has = |(landmark, _): &(Landmark, SelfWeight)| {
+        quantities(*landmark).any(|quantity| wanted.contains(&quantity))
     };
-    if points.iter().all(|&(landmark, _)| asked(landmark).is_empty()) {
+    if !points.iter().any(has) {
         return Err("none of these landmarks has what was asked for".into());
     }
     let (output, _) = arguments.output.open()?;
-    let ticks_of = |landmark| CertifiedLandmark::ticks_of(landmark, asked(landmark).len());
-    let ticks = points.iter().map(|&(landmark, _)| ticks_of(landmark)).sum();
-    let bar = progress::bar(ticks, &vec![digits; points.len()])?;
-    let certificate = format.has_certificates.then_some(digits);
-    let answer = |point: (Landmark, SelfWeight)| {
-        let answer = proved(point, &asked(point.0), certificate, &|| bar.inc(1));
-        answer.unwrap_or_else(|error| Answer::landmark(point, Err(&error)))
-    };
-    let answers: Vec<Answer> = points.into_par_iter().map(answer).collect();
+    let what = Request::Constants { points, quantities: wanted, digits };
+    let scene = Scene::one(ItemKind::Constants, what, (format, &Print::default()));
+    let plan = Plan::new(&scene, vec![false]);
+    let bar = progress::bar(plan.ticks(), &plan.sizes())?;
+    let answer = SceneRun::new(&plan).item(0, &|| bar.inc(1));
     bar.finish_and_clear();
-    let open = answers.iter().filter(|answer| answer.is_undecided());
-    let undecided: Vec<&str> =
-        open.filter_map(|answer| Some(answer.subject.landmark()?.symbol())).collect();
-    let report = Answers::constants(digits, answers);
-    output.write(|out| report.write(format, out))?;
-    Failure::unless_all("proved", &undecided)
-}
-
-/// Proves what is asked of a landmark; with the hash of its certificate to so many digits, if any.
-pub(super) fn proved(
-    point: (Landmark, SelfWeight),
-    asked: &[(Quantity, usize)],
-    certificate: Option<usize>,
-    tick: &(dyn Fn() + Sync),
-) -> Result<Answer, Error> {
-    let landmark = CertifiedLandmark::new(point.0, point.1)?;
-    let constants = landmark.constants_of_with(asked, tick)?;
-    let answer = Answer::landmark(point, Ok((&landmark, constants)));
-    Ok(match certificate {
-        Some(digits) => answer.with_certificate(digits, fingerprint(&landmark, digits)),
-        None => answer,
-    })
+    output.write(|out| answer.write(out))?;
+    Failure::unless_all("proved", &answer.undecided)
 }

@@ -130,17 +130,8 @@ pub(super) fn arch(
     weight: SelfWeight,
     printed: Printed<'_>,
 ) -> Result<(), Failure> {
-    let sketch = sketched(pose(given, weight)?, given, &printed.2, None)?;
+    let sketch = sketched(Pose::of(given, weight, false)?, given, &printed.2, None)?;
     write((vec![sketch], Vec::new()), given, printed)
-}
-
-/// Pose of an arch with its own friction.
-fn pose(given: &ArchGiven, weight: SelfWeight) -> Result<Pose, Misfit> {
-    let arch = given.arch(weight)?;
-    Ok(match &given.thickness {
-        Some(thickness) => Pose::Standing(arch, thickness.clone()),
-        None => Pose::Least(arch),
-    })
 }
 
 /// Sketch of an arch, in a mode if one is named.
@@ -261,13 +252,8 @@ impl Arguments {
             None if is_any => ArchGiven::read(&SLIDING, &self.arch, Spelling::Option)?,
             None => ArchGiven::read(&QUESTION, &self.arch, Spelling::Option)?,
         };
-        let pose = match (self.at, given.thickness.clone()) {
-            (Some(landmark), _) => Pose::Landmark(landmark, self.weight),
-            (None, Some(thickness)) if is_sliding => {
-                Pose::Sliding(given.arch(self.weight)?, thickness)
-            }
-            _ => pose(&given, self.weight)?,
-        };
+        let landmark = self.at.map(|landmark| Pose::Landmark(landmark, self.weight));
+        let pose = landmark.map_or_else(|| Pose::of(&given, self.weight, is_sliding), Ok)?;
         let sketch = sketched(pose, &given, look, self.mode.filter(|_| !is_sliding))?;
         Ok((sketch, given))
     }

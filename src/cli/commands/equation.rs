@@ -110,7 +110,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let given = given.iter().map(|(of, value)| (*of, value.to_string())).collect();
         Ok(EvaluatedEquation { equation, weight, given, found })
     };
-    let weights = arguments.weight.all().into_iter();
+    let weights = arguments.weight.iter().copied();
     let answers: Vec<EvaluatedEquation> = weights.map(answer).collect::<Result<_, _>>()?;
     let open = answers.iter().find_map(EvaluatedEquation::first_open);
     file.report((&answers, format), open)

@@ -59,7 +59,7 @@ fn format(name: &str) -> Result<&'static Format, String> {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Content::FIGURE, "svg")?;
     let Arguments { number, tolerance, .. } = *arguments;
-    let weights = arguments.weight.map(Weights::all);
+    let weights = arguments.weight.map(<[_]>::to_vec);
     let mut asked = figure(number, weights, tolerance, |key| format!("--{key}"))?;
     asked.command().into_iter().for_each(|command| *command = typed());
     let (file, print) = (arguments.file.open_for(format)?, arguments.print.print());

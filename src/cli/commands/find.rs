@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let answer = Answer::finding(line, (weight, &question), &found).only(&quantities);
         Ok(Answer { asked: Some(Box::new(asked.clone())), ..answer })
     };
-    let weights = (1..).zip(arguments.arch.weight.all());
+    let weights = (1..).zip(arguments.arch.weight.to_vec());
     let answers: Vec<Answer> = weights.map(answer).collect::<Result<_, Failure>>()?;
     let open = answers.iter().find_map(Answer::first_open);
     let kept = Vec::new();

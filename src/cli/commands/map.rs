@@ -231,22 +231,9 @@ impl DrawnMap {
 
     /// The weights asked for.
     fn weights(&self, format: &Format) -> Vec<SelfWeight> {
-        let usual = match format.is_page() {
-            true => Weights::Both,
-            false => Weights::One(SelfWeight::Milankovitch),
-        };
-        self.weight.unwrap_or(usual).all()
-    }
-
-    /// The arches to mark.
-    fn marks(&self) -> Vec<Marked> {
-        notes::frictions(
-            self.frictions.iter().chain(self.marks.iter().flat_map(Marked::frictions)),
-        );
-        each_once(&self.marks, ToString::to_string, |mark| format!("the mark {mark}"))
-            .into_iter()
-            .cloned()
-            .collect()
+        let usual: Weights =
+            if format.is_page() { &SelfWeight::ALL } else { &[SelfWeight::Milankovitch] };
+        self.weight.unwrap_or(usual).to_vec()
     }
 
     /// The levels asked for.
@@ -256,39 +243,35 @@ impl DrawnMap {
         let frictions = self.frictions.iter().cloned().map(Contour::Friction);
         openings.chain(thicknesses).chain(frictions).collect()
     }
-
-    fn curves(&self) -> Vec<Curve> {
-        let all = self.curves.iter().flat_map(|CurveNames(curves)| curves).copied();
-        each_once(all, |curve| *curve, |curve| format!("the curve {curve}"))
-    }
 }
 
 fn all_curves(arguments: &DrawnMap) -> Result<(), Failure> {
     let format = arguments.format()?;
-    let weights = arguments.weights(format);
-    let (contours, axes) = (arguments.contours(), arguments.axes.axes());
-    let axes = if arguments.asymmetric { axes.of_asymmetric(format) } else { axes };
-    let asked = MapAsked {
+    let axes = arguments.axes.axes();
+    let mut asked = MapAsked {
         format,
-        weights: weights.len(),
-        names_curves: !arguments.curves.is_empty(),
-        contours: &contours,
+        weights: arguments.weights(format),
+        curves: arguments.curves.iter().flat_map(|CurveNames(curves)| curves).copied().collect(),
+        contours: arguments.contours(),
         plane: arguments.plane,
         lines: arguments.lines,
         bare: arguments.bare,
         asymmetric: arguments.asymmetric,
-        axes: &axes,
-        has_marks: !arguments.marks.is_empty(),
+        axes: if arguments.asymmetric { axes.of_asymmetric(format) } else { axes },
+        marks: arguments.marks.clone(),
+        tolerance: arguments.tolerance,
     };
     let misfit = asked.misfit(|key| format!("--{}", key.replace('_', "-")));
     misfit.map_or(Ok(()), Err)?;
     let print = arguments.print.of(format)?;
-    let (marks, file) = (arguments.marks(), arguments.file.open_for(format)?);
-    let curves = arguments.curves();
-    let contours = each_once(contours.clone(), contour_key, |contour| format!("the {contour}"));
-    let named = (&curves[..], contours);
-    let map = SceneMap::new(&asked, &weights, named, arguments.tolerance, marks, typed());
-    let answer = answered(ItemKind::Map, Request::Map(map), (format, &print));
+    let marked = asked.marks.iter().flat_map(Marked::frictions);
+    notes::frictions(arguments.frictions.iter().chain(marked));
+    asked.marks = each_once(asked.marks, ToString::to_string, |mark| format!("the mark {mark}"));
+    let file = arguments.file.open_for(format)?;
+    asked.curves = each_once(asked.curves, |curve| *curve, |curve| format!("the curve {curve}"));
+    asked.contours = each_once(asked.contours, contour_key, |contour| format!("the {contour}"));
+    let what = Request::Map(SceneMap::new(asked, typed()));
+    let answer = answered(ItemKind::Map, what, (format, &print));
     answer.misfit.map_or(Ok(()), |why| Err(Failure::from(why)))?;
     let Some(report) = answer.report else { return Failure::of_open(answer.undecided) };
     file.printed((&*report, format, &print), [""; 0])?;
@@ -305,7 +288,7 @@ fn told(output: &OutputFile, report: &dyn Reported) -> Result<(), Failure> {
 fn point(asked: &PointArguments) -> Result<(), Failure> {
     let format = asked.file.format(asked.format, MapPoint::content(), "table")?;
     let (curve, exact) = (asked.curve, asked.at.parse::<ExactNumber>()?);
-    let weights = asked.weight.all();
+    let weights = asked.weight.to_vec();
     let weights = if curve.is_weightless() { &weights[..1] } else { &weights[..] };
     let points = weights.iter().map(|&weight| {
         let values = atlas::point(curve, weight, &exact, asked.digits);

@@ -2,7 +2,6 @@
 
 use super::arch::ArchArguments;
 use super::by_value::{self, ValueArguments};
-use super::constants::proved;
 use super::draw;
 use super::look::LookArguments;
 use super::notes;
@@ -10,7 +9,7 @@ use super::output::AnswerOutput;
 use super::survey;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
-use crate::certify::{Error, quantities as quantities_of};
+use crate::certify::{CertifiedLandmark, Error, quantities as quantities_of};
 use crate::problem::{Arch, Landmark, Quantity};
 use crate::report::{Answer, Answers, Reported, Scope, Understood};
 use crate::sweep::answer;
@@ -133,10 +132,12 @@ fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure>
         .map(|quantity| (quantity, digits))
         .collect();
     let answer = |weight| {
-        let answer = proved((landmark, weight), &asked, None, &|| ())?;
+        let point = CertifiedLandmark::new(landmark, weight)?;
+        let constants = point.constants_of(&asked)?;
+        let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
         Ok(Answer { modes: landmark.modes().to_vec(), ..answer })
     };
-    let list: Result<_, Error> = arguments.arch.weight.all().into_iter().map(answer).collect();
+    let list: Result<_, Error> = arguments.arch.weight.iter().copied().map(answer).collect();
     let (scope, kept) = (Scope::Point, Vec::new());
     let report = Answers { scope, digits, quantities, list: list?, kept };
     output.write(|out| report.write(format, out))

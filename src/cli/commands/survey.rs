@@ -102,7 +102,7 @@ fn write(
     is_written("the answer of a range", SurveyedArches::content(), format)?;
     let file = file.open_for(format)?;
     notes::frictions(&given.friction);
-    let answers: Result<Vec<_>, _> = arguments.weight.all().into_iter().map(answer).collect();
+    let answers: Result<Vec<_>, _> = arguments.weight.iter().copied().map(answer).collect();
     let answers = answers?;
     let open = answers.iter().find_map(SurveyedArches::first_open).cloned();
     file.report((&answers, format), open)

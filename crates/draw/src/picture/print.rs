@@ -67,23 +67,6 @@ impl Print {
         Err(io::Error::new(io::ErrorKind::InvalidInput, message))
     }
 
-    /// The options of a command that ask for it.
-    pub fn options(&self) -> String {
-        let length = |name: &str, length: Option<PaperLength>| {
-            length.map_or(String::new(), |length| format!(" --{name} {length}"))
-        };
-        let font = self.font.as_ref().map(|font| format!(" --font '{}'", font.name()));
-        [
-            length("width", self.width),
-            length("font-size", self.font_size),
-            font.unwrap_or_default(),
-            if self.caption { "" } else { " --no-caption" }.to_owned(),
-            if self.details { " --full-caption" } else { "" }.to_owned(),
-            if self.title { "" } else { " --no-title" }.to_owned(),
-        ]
-        .concat()
-    }
-
     /// Width and height as SVG writes them, of a size in units.
     pub(super) fn size(&self, (width, height): Point) -> [String; 2] {
         match self.unit() {
@@ -232,15 +215,6 @@ mod tests {
             "{said}"
         );
         assert_eq!(Print::default().room(944.0, 400.0).unwrap(), 944.0);
-    }
-
-    #[test]
-    fn it_is_asked_for_by_options() {
-        let font = Some("Latin Modern Roman".parse().unwrap());
-        let print = Print { font, caption: false, title: false, ..of("3.3in", Some("2.5mm")) };
-        let options = " --width 83.82mm --font-size 7.087pt --font 'Latin Modern Roman' --no-caption --no-title";
-        assert_eq!(print.options(), options);
-        assert_eq!(Print::default().options(), "");
     }
 
     #[test]

@@ -1,17 +1,13 @@
 //! Answers to rows, each of which is about one arch.
 
-use super::arch::ArchReader;
+use super::arch::{ArchReader, RowArch};
 use super::keep::ReadRow;
-use super::roles::Role;
 use super::source::Numbered;
 use crate::answer;
-use crate::ask::{Spelling, given_thickness};
 use crate::certify::Refused;
 use crate::certify::batch::{SharedOpening, SharedOpenings};
 use crate::certify::state::{Answer as Outcome, Balls, RowAnswer, Tier, Wanted, answers_in_lanes};
-use crate::number::ExactNumber;
-use crate::problem::measures::Measures;
-use crate::problem::{Arch, Quantity};
+use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Beside, Extent, Format};
 use rayon::prelude::*;
 
@@ -31,9 +27,6 @@ pub struct RowQuestion {
     openings: Option<SharedOpenings>,
 }
 
-/// An arch that is asked of, with its thickness and its measures where it has any.
-type AskedArch = (Arch, Option<ExactNumber>, Option<Measures>);
-
 impl RowQuestion {
     /// Question to whose answers a format is given.
     pub fn new(answers: &Answers, format: &Format, beside: Beside) -> Result<Self, Refused> {
@@ -50,8 +43,8 @@ impl RowQuestion {
     /// has one.
     pub fn answers(&self, reader: &ArchReader, rows: Vec<Numbered<ReadRow>>) -> Vec<Answer> {
         let read =
-            |(_, row): &Numbered<ReadRow>| asked(reader, row.as_ref().map_err(Clone::clone)?);
-        let all: Vec<Result<AskedArch, String>> = rows.par_iter().map(read).collect();
+            |(_, row): &Numbered<ReadRow>| reader.arch(&row.as_ref().map_err(Clone::clone)?.cells);
+        let all: Vec<Result<RowArch, String>> = rows.par_iter().map(read).collect();
         let known: Vec<Option<RowAnswer>> = match Tier::Lanes.has(self.digits) {
             true => all.par_chunks(PIECE).flat_map_iter(|all| self.known(all)).collect(),
             false => vec![None; all.len()],
@@ -68,8 +61,8 @@ impl RowQuestion {
     }
 
     /// Answers to some rows, where they are proved together.
-    fn known(&self, all: &[Result<AskedArch, String>]) -> Vec<Option<RowAnswer>> {
-        let row = |asked: &Result<AskedArch, String>| {
+    fn known(&self, all: &[Result<RowArch, String>]) -> Vec<Option<RowAnswer>> {
+        let row = |asked: &Result<RowArch, String>| {
             let (arch, eta, _) = asked.as_ref().ok()?;
             let eta = eta.as_ref().map(SharedOpening::enclosed_number);
             Some((arch.weight(), (SharedOpening::enclosed_arch(arch), eta)))
@@ -82,7 +75,7 @@ impl RowQuestion {
     fn answer(
         &self,
         line: u64,
-        (arch, eta, measures): &AskedArch,
+        (arch, eta, measures): &RowArch,
         known: Option<RowAnswer>,
     ) -> Answer {
         let (digits, frictions) = (self.digits, self.frictions);
@@ -105,19 +98,9 @@ impl RowQuestion {
     }
 }
 
-/// The arch of a row.
-fn asked(reader: &ArchReader, row: &ReadRow) -> Result<AskedArch, String> {
-    let (arch, measures) = reader.measured_arch(&row.cells)?;
-    let thickness = reader.given(&row.cells, Role::GivenThickness).map(|said| {
-        let eta = given_thickness(&reader.exact(said), measures.as_ref(), Spelling::Key);
-        eta.map_err(|misfit| misfit.message)
-    });
-    Ok((arch, thickness.transpose()?, measures))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::{Columns, NumberStyle, Purpose};
+    use super::super::{Columns, NumberStyle, Purpose, Role};
     use super::*;
     use crate::arch::SelfWeight;
     use crate::report::{Content, open_rows};
@@ -194,7 +177,7 @@ mod tests {
         }
     }
 
-    fn asked_of(reader: &ArchReader, row: &Result<ReadRow, String>) -> Result<AskedArch, String> {
-        asked(reader, row.as_ref().map_err(Clone::clone)?)
+    fn asked_of(reader: &ArchReader, row: &Result<ReadRow, String>) -> Result<RowArch, String> {
+        reader.arch(&row.as_ref().map_err(Clone::clone)?.cells)
     }
 }

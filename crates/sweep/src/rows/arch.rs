@@ -2,9 +2,9 @@
 
 use super::columns::{Cells, Columns};
 use super::number_style::{NumberStyle, is_bare};
-use super::roles::{Role, SIZES};
+use super::roles::Role;
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Spelling};
 use crate::number::{ExactNumber, ParseExactError, is_range, shown};
 use crate::parse;
 use crate::problem::measures::Measures;
@@ -12,9 +12,8 @@ use crate::problem::{Arch, Friction};
 use rug::Rational;
 use std::borrow::Cow;
 
-/// Question of a row that has sizes.
-const SIZED: ArchQuestion =
-    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
+/// Arch of a row, with its thickness and its measures where it has any.
+pub(super) type RowArch = (Arch, Option<ExactNumber>, Option<Measures>);
 
 /// Reader of the arches of rows.
 pub struct ArchReader {
@@ -56,25 +55,6 @@ impl ArchReader {
         ]
     }
 
-    /// The half opening of a row with sizes, and its measures; nothing if it has no size.
-    pub fn sizes(&self, cells: &Cells) -> Result<(Option<ExactNumber>, Option<Measures>), String> {
-        let size = |field| Some((field, self.given(cells, Role::Size(field))?));
-        let sizes: Vec<(Field, _)> = SIZES.into_iter().filter_map(size).collect();
-        if sizes.is_empty() {
-            return Ok((None, None));
-        }
-        let spelt = sizes.iter().map(|(field, said)| (*field, self.exact(*said)));
-        let spelt: Vec<_> = spelt.collect();
-        let mut asked = ArchAsked::of(spelt.iter().map(|(field, text)| (*field, text.as_ref())));
-        let half_opening = self.given(cells, Role::HalfOpening);
-        asked.half_opening = half_opening.map(|said| self.exact(said).into_owned());
-        let given =
-            SIZED.fits(&asked, Spelling::Key).and_then(|()| ArchGiven::new(&asked, Spelling::Key));
-        let ArchGiven { half_opening, measures, .. } =
-            given.map_err(|misfit| misfit.to_string())?;
-        Ok((half_opening, measures))
-    }
-
     /// The question of a row whose cells may be ranges, and its weight.
     pub fn ranged(&self, cells: &Cells) -> Result<(SelfWeight, ArchAsked), String> {
         let mut asked = ArchAsked::default();
@@ -106,56 +86,36 @@ impl ArchReader {
         text.map_or(Ok(self.weight), |(text, _)| parse::weight(text))
     }
 
-    /// The arch.
-    pub fn arch(&self, cells: &Cells) -> Result<Arch, String> {
-        Ok(self.measured_arch(cells)?.0)
-    }
-
-    /// The arch, with its measures if it has any.
-    pub fn measured_arch(&self, cells: &Cells) -> Result<(Arch, Option<Measures>), String> {
+    /// The arch of a row, which has no ranges.
+    pub fn arch(&self, cells: &Cells) -> Result<RowArch, String> {
         self.one_arch(cells)?;
-        let weight = self.own_weight(cells)?;
+        let (weight, asked) = self.ranged(cells)?;
         let missing = |role: Role| match self.said(cells, role) {
             Some(_) => format!("the {} is empty", role.name()),
             None => format!("the {} is missing", role.name()),
         };
-        let (made, measures) = self.sizes(cells)?;
-        let half_opening = match (made, self.given(cells, Role::HalfOpening)) {
-            (Some(made), _) => made,
-            (None, Some(given)) => self.angle(given)?,
-            (None, None) => return Err(missing(Role::HalfOpening)),
+        let fits = ArchQuestion::ANY.fits(&asked, Spelling::Key);
+        let given = fits.and_then(|()| ArchGiven::new(&asked, Spelling::Key));
+        let ArchGiven { half_opening, friction, thickness, measures, .. } =
+            given.map_err(|misfit| misfit.message)?;
+        let half_opening = half_opening.ok_or_else(|| missing(Role::HalfOpening))?;
+        let friction = friction.ok_or_else(|| match self.said(cells, Role::FrictionAngle) {
+            Some(_) => missing(Role::FrictionAngle),
+            None => missing(Role::Friction),
+        })?;
+        let friction = match friction {
+            Friction::Coefficient(mu) if self.doubles => Friction::Coefficient(nearest(&mu)?),
+            Friction::Angle(phi) => Friction::Angle(self.used(phi)?),
+            friction => friction,
         };
-        let [mu, phi] = [Role::Friction, Role::FrictionAngle].map(|role| self.given(cells, role));
-        let friction = match (mu, phi) {
-            (Some(mu), None) => self.coefficient(mu)?,
-            (None, Some(phi)) => Friction::Angle(self.angle(phi)?),
-            (None, None) if self.said(cells, Role::FrictionAngle).is_some() => {
-                return Err(missing(Role::FrictionAngle));
-            }
-            (None, None) => return Err(missing(Role::Friction)),
-            (Some(_), Some(_)) => return Err("both friction and friction_angle are given".into()),
-        };
-        let arch = Arch::new(weight, half_opening, friction).map_err(|error| error.to_string())?;
-        Ok((arch, measures))
+        let arch = Arch::new(weight, self.used(half_opening)?, friction);
+        Ok((arch.map_err(|error| error.to_string())?, thickness, measures))
     }
 
     /// The exact text of what is said, with its unit.
     pub fn exact<'a>(&self, (text, unit): (&'a str, &str)) -> Cow<'a, str> {
         let exact = self.spelling.exact(text);
         if unit.is_empty() { exact } else { (exact.into_owned() + unit).into() }
-    }
-
-    fn coefficient(&self, said: (&str, &str)) -> Result<Friction, String> {
-        match self.exact(said).parse().map_err(error)? {
-            Friction::Coefficient(mu) if self.doubles => nearest(&mu).map(Friction::Coefficient),
-            // An angle in the column of coefficients, as our own outputs have it.
-            Friction::Angle(phi) => self.used(phi).map(Friction::Angle),
-            friction => Ok(friction),
-        }
-    }
-
-    fn angle(&self, said: (&str, &str)) -> Result<ExactNumber, String> {
-        self.used(self.exact(said).parse().map_err(error)?)
     }
 
     /// An angle as a solver used it. In doubles, degrees are rounded as they are read and once more in
@@ -165,14 +125,14 @@ impl ArchReader {
             return Ok(angle);
         }
         match angle.to_string().strip_suffix("deg") {
-            Some(degrees) => nearest(&nearest(&degrees.parse().map_err(error)?)?.degrees()),
+            Some(degrees) => {
+                let degrees: ExactNumber =
+                    degrees.parse().map_err(|error: ParseExactError| error.to_string())?;
+                nearest(&nearest(&degrees)?.degrees())
+            }
             None => nearest(&angle),
         }
     }
-}
-
-fn error(error: ParseExactError) -> String {
-    error.to_string()
 }
 
 /// The nearest double, exactly.

@@ -91,12 +91,8 @@ impl Columns {
         }
     }
 
-    /// Tells whether a name of the file is that of a column. Our own names may have capitals and blanks.
-    fn is(&self, column: &RowColumn, name: &str) -> bool {
-        self.is_plain(column, name, &plain(name))
-    }
-
-    /// Tells the same of a name whose plain form is known.
+    /// Tells whether a name of the file, with its plain form, is that of a column. Our own names may have capitals and
+    /// blanks.
     fn is_plain(&self, column: &RowColumn, name: &str, plain: &str) -> bool {
         column.theirs == name || (!self.named && column.theirs == plain)
     }
@@ -125,76 +121,77 @@ impl Columns {
         self.all.iter().any(|column| self.is_plain(column, name, plain))
     }
 
+    /// The places of each column among the names of a table or of an object, where it is there and asks anything. A
+    /// name that asks what is not read is refused, unless nothing stands under it.
+    fn found(
+        &self,
+        names: &[&str],
+        is_empty: impl Fn(&str) -> bool,
+    ) -> Result<Vec<Vec<usize>>, String> {
+        let plains: Vec<Cow<str>> = names.iter().map(|name| plain(name)).collect();
+        let asks = self.asks(|name| plains.iter().any(|plain| plain == name));
+        let is = |column: &RowColumn, at: usize| self.is_plain(column, names[at], &plains[at]);
+        let places = |column: &RowColumn| match asks(column) {
+            true => (0..names.len()).filter(|at| is(column, *at)).collect(),
+            false => Vec::new(),
+        };
+        let found: Vec<Vec<usize>> = self.all.iter().map(places).collect();
+        let there = || self.all.iter().zip(&found).filter(|(_, places)| !places.is_empty());
+        let is_none = |at: &usize| !self.all.iter().any(|column| is(column, *at));
+        for name in (0..names.len()).filter(is_none).map(|at| names[at]) {
+            match self.is_answered(name) {
+                Err(why) if !is_empty(name) => return Err(why),
+                _ => {}
+            }
+            self.is_spelt(name, |role| there().any(|(column, _)| column.role == role))?;
+        }
+        Ok(found)
+    }
+
     /// Keeps the columns that a table has, with their places.
     pub fn places(&mut self, header: &[String]) -> Result<Vec<usize>, String> {
-        let asks = self.asks(|name| header.iter().any(|other| plain(other) == name));
-        self.all.retain(asks);
-        let place = |column: &RowColumn| header.iter().position(|name| self.is(column, name));
-        let places: Vec<Option<usize>> = self.all.iter().map(place).collect();
+        self.all.retain(self.asks(|name| header.iter().any(|other| plain(other) == name)));
+        let names: Vec<&str> = header.iter().map(String::as_str).collect();
+        let found = self.found(&names, |_| false)?;
+        let seen: Vec<bool> = found.iter().map(|places| !places.is_empty()).collect();
         let shown = |message| format!("{message}; its columns are {}", shown(header));
-        let seen: Vec<bool> = places.iter().map(Option::is_some).collect();
         self.check(&seen, "the file has").map_err(shown)?;
-        for column in &self.all {
-            if header.iter().filter(|name| self.is(column, name)).count() > 1 {
-                return Err(format!("the file has two columns '{}'", column.theirs));
-            }
+        if let Some((column, _)) = self.all.iter().zip(&found).find(|(_, all)| all.len() > 1) {
+            return Err(format!("the file has two columns '{}'", column.theirs));
         }
-        header.iter().try_for_each(|name| {
-            self.is_answered(name)?;
-            self.is_spelt(name, |role| {
-                self.all.iter().zip(&seen).any(|(column, seen)| *seen && column.role == role)
-            })
-        })?;
         let mut seen = seen.iter();
         self.all.retain(|_| seen.next() == Some(&true));
-        Ok(places.into_iter().flatten().collect())
+        Ok(found.concat())
     }
 
     /// The cells of an object.
     pub fn cells(&self, object: &JsonObject) -> Result<Cells, String> {
-        let asks = self.asks(|name| object.names().any(|other| plain(other) == name));
-        let mut cells: Cells = vec![None; self.all.len()];
-        for name in object.names() {
-            let plain = &*plain(name);
-            let is = |column: &&RowColumn| self.is_plain(column, name, plain);
-            let mut named = self.all.iter().filter(is);
-            if named.clone().next().is_some() && !named.any(&asks) {
-                continue;
-            }
-            let Some(place) = self.all.iter().position(|column| is(&column)) else {
-                if object.text(name).is_some_and(|text| !text.is_empty()) {
-                    self.is_answered(name)?;
+        let names: Vec<&str> = object.names().collect();
+        let text = |name: &str| object.text(name);
+        let found = self.found(&names, |name| text(name).is_none_or(|text| text.is_empty()))?;
+        let mut there: Vec<(Role, &str)> = Vec::new();
+        for (column, places) in self.all.iter().zip(&found) {
+            for name in places.iter().map(|place| names[*place]) {
+                if let Some((_, other)) = there.iter().find(|(role, _)| *role == column.role) {
+                    return Err(format!("'{other}' and '{}' are the same", shortened(name)));
                 }
-                self.is_spelt(name, |role| {
-                    let has =
-                        |key: &str| self.all.iter().any(|c| c.role == role && self.is(c, key));
-                    object.names().any(has)
-                })?;
-                continue;
-            };
-            let role = self.all[place].role;
-            let before =
-                self.all.iter().zip(&cells).find(|(c, cell)| c.role == role && cell.is_some());
-            if let Some((other, _)) = before {
-                let (a, b) = (&other.theirs, shortened(name));
-                return Err(format!("'{a}' and '{b}' are the same"));
+                there.push((column.role, name));
             }
-            cells[place] = object.text(name);
         }
-        Ok(cells)
+        Ok(found.iter().map(|places| text(names[*places.first()?])).collect())
     }
 
     /// Refuses a name of an arch that nothing here is asked about, unless it is handed on by name: it must not be
     /// dropped.
     fn is_answered(&self, name: &str) -> Result<(), String> {
-        let is_known = || self.have(name) || self.kept.iter().any(|kept| kept == name);
+        let is_kept = || self.kept.iter().any(|kept| kept == name);
         // The circle of sizes that are told alone asks nothing.
         let is_read = |field: Field| {
             let is = |role: &Role| role.field() == Some(field);
             field == Field::MeasuredAt || self.purpose.roles().iter().any(is)
         };
         let asks = self.purpose != Purpose::Assemblies;
-        match unanswered(name, is_read).filter(|_| asks && !is_known()) {
+        match unanswered(name, is_read).filter(|_| asks && !is_kept()) {
             Some(why) => Err(format!("{why}, and --keep {} hands it on", shortened(name))),
             None => Ok(()),
         }
@@ -202,7 +199,7 @@ impl Columns {
 
     /// Refuses a name that is nearly one of ours and asks for nothing: what it asks must not be dropped.
     fn is_spelt(&self, name: &str, has: impl Fn(Role) -> bool) -> Result<(), String> {
-        if self.purpose != Purpose::Ask || self.have(name) {
+        if self.purpose != Purpose::Ask {
             return Ok(());
         }
         let nearly = |column: &&RowColumn| {

@@ -1,4 +1,4 @@
-//! A table with a header: one row at a time, each with the number of its line.
+//! Rows of a text, one at a time, each with the number of its line: those of a table with a header, or lines of JSON.
 
 use super::dialect::{Dialect, QuoteState};
 use super::lines::{InputLines, Reading};
@@ -6,12 +6,13 @@ use super::{Input, MAX_RECORD, Numbered};
 use crate::failure::Failure;
 use std::io;
 
-/// A table: its header, and its rows one after the other.
-pub struct TextTable {
-    /// The names of the columns.
+/// Rows of a text, one after the other: of a table, or objects of JSON, one on each line.
+pub struct TextRows {
+    /// The names of the columns of a table.
     pub header: Vec<String>,
     lines: InputLines,
-    dialect: Dialect,
+    /// Dialect of a table; lines of JSON have none.
+    dialect: Option<Dialect>,
     /// True if lines that begin with `#` are remarks, as before the header.
     has_remarks: bool,
     is_broken: bool,
@@ -57,7 +58,7 @@ impl Quotes {
 /// Marks after which a field of a header may begin before it is known what separates them.
 const SEPARATORS: &[u8] = b",;\t";
 
-impl TextTable {
+impl TextRows {
     /// Reads the header. It is the first line, or the last of the remarks (`# alpha mu eta`) if a row of
     /// numbers with as many fields follows, as NumPy writes.
     pub fn open(mut input: Input) -> Result<Self, Failure> {
@@ -73,7 +74,8 @@ impl TextTable {
         let mut remark: Option<RawRecord> = None;
         let failed = |error: String| Failure::Input(format!("the header: {error}"));
         let first = loop {
-            let record = next(&mut lines, SEPARATORS).map_err(|error| failed(error.to_string()))?;
+            let record =
+                next(&mut lines, Some(SEPARATORS)).map_err(|error| failed(error.to_string()))?;
             match record.transpose().map_err(failed)? {
                 None => break None,
                 Some(record) if is_remark(&record.bytes) => remark = Some(record),
@@ -102,7 +104,32 @@ impl TextTable {
         // A name that nobody reads may have any encoding.
         let bytes = String::from_utf8_lossy(&bytes);
         let header = dialect.fields(bytes.as_bytes(), |_| true).map_err(failed)?;
+        let dialect = Some(dialect);
         Ok(Self { header, lines, dialect, has_remarks, is_broken: false, read: None })
+    }
+
+    /// Objects of JSON, one on each line, of which the first has this number.
+    pub fn of_objects(input: Input, line: u64) -> Self {
+        Self::of_lines(InputLines::new(input, line))
+    }
+
+    /// Objects of JSON on some lines.
+    pub(super) fn of_lines(lines: InputLines) -> Self {
+        let (header, dialect, has_remarks) = (Vec::new(), None, false);
+        Self { header, lines, dialect, has_remarks, is_broken: false, read: None }
+    }
+
+    /// Tells whether they are the rows of a table.
+    pub fn is_table(&self) -> bool {
+        self.dialect.is_some()
+    }
+
+    /// The rows as they are written.
+    pub fn into_bytes(mut self) -> impl Iterator<Item = Numbered<Vec<u8>>> {
+        std::iter::from_fn(move || {
+            let (line, record) = self.record()?;
+            Some((line, record.map(|record| record.bytes)))
+        })
     }
 
     /// Reads the fields of these places alone.
@@ -129,14 +156,14 @@ impl TextTable {
 
     /// Tells whether numbers may have a decimal comma: where a semicolon separates.
     pub fn has_decimal_commas(&self) -> bool {
-        self.dialect == Dialect::Separated(b';')
+        self.dialect == Some(Dialect::Separated(b';'))
     }
 
     /// The next row as it is written, or why it cannot be read, with its line.
     fn record(&mut self) -> Option<Numbered<RawRecord>> {
         while !self.is_broken {
             let line = self.lines.number;
-            match next(&mut self.lines, self.dialect.separators()) {
+            match next(&mut self.lines, self.dialect.as_ref().map(Dialect::separators)) {
                 Ok(Some(Ok(record))) if is_blank(&record.bytes) => {}
                 Ok(Some(Ok(record))) if self.has_remarks && is_remark(&record.bytes) => {}
                 Ok(record) => return record.map(|record| (line, record)),
@@ -165,7 +192,8 @@ impl TextTable {
     fn fields(&mut self, record: &RawRecord) -> Result<Vec<String>, String> {
         let (width, [first, end]) = (self.header.len(), record.lines);
         let is_read = |place: usize| self.read.as_ref().is_none_or(|read| read.contains(&place));
-        let fields = self.dialect.fields(&record.bytes, is_read);
+        let Some(dialect) = self.dialect else { return Ok(Vec::new()) };
+        let fields = dialect.fields(&record.bytes, is_read);
         match &fields {
             Ok(fields) if fields.len() == width => {}
             _ if end > first + 1 => self.lines.give_back(&record.bytes[record.first..], first + 1),
@@ -185,7 +213,7 @@ impl TextTable {
     }
 }
 
-impl Iterator for TextTable {
+impl Iterator for TextRows {
     type Item = Numbered<Vec<String>>;
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -226,10 +254,11 @@ fn is_header_of(remark: &[u8], row: &[u8]) -> bool {
     names.len() == row.len() && row.iter().any(is_number)
 }
 
-/// The next row as it is written, or why it cannot be read. Behind an error of the input there is no other.
+/// The next row as it is written, or why it cannot be read. Behind an error of the input there is no other. Without
+/// separators each line is a row, whatever quotes it has.
 fn next(
     lines: &mut InputLines,
-    separators: &[u8],
+    separators: Option<&[u8]>,
 ) -> io::Result<Option<Result<RawRecord, String>>> {
     let first = lines.number;
     let fault = |message: String| Ok(Some(Err(message)));
@@ -259,7 +288,9 @@ fn next(
                 ));
             }
         }
-        quotes.pass(&record.bytes[passed..], line, separators);
+        if let Some(separators) = separators {
+            quotes.pass(&record.bytes[passed..], line, separators);
+        }
         passed = record.bytes.len();
         record.lines[1] = lines.number;
         if record.first == 0 {
@@ -289,8 +320,8 @@ mod tests {
     use super::*;
     use std::io::{BufReader, Read};
 
-    fn table(input: impl Read + Send + 'static) -> TextTable {
-        TextTable::open(Box::new(BufReader::new(input))).unwrap()
+    fn table(input: impl Read + Send + 'static) -> TextRows {
+        TextRows::open(Box::new(BufReader::new(input))).unwrap()
     }
 
     fn rows(text: &str) -> Vec<(u64, String)> {
@@ -354,13 +385,13 @@ mod tests {
         let endless = io::Cursor::new("a,b\n1,2\n").chain(io::repeat(b'x').take(1 << 24));
         assert_eq!(table(endless).count(), 2);
         let header = Box::new(BufReader::new(io::repeat(b'a').take(1 << 24)));
-        assert!(TextTable::open(header).is_err(), "nor is a header without end");
+        assert!(TextRows::open(header).is_err(), "nor is a header without end");
     }
 
     #[test]
     fn a_file_without_a_header_is_empty() {
         for file in ["", "\n\r\n", " \n"] {
-            let Err(Failure::Input(message)) = TextTable::open(Box::new(io::Cursor::new(file)))
+            let Err(Failure::Input(message)) = TextRows::open(Box::new(io::Cursor::new(file)))
             else {
                 panic!("{file:?}")
             };

@@ -1,7 +1,7 @@
 //! The rows of a file that is read: of a table, or of JSON.
 
 use super::columns::Columns;
-use super::csv::TextTable;
+use super::csv::TextRows;
 use super::json::objects;
 use super::keep::{Keep, ReadRow};
 use super::number_style::NumberStyle;
@@ -30,7 +30,7 @@ impl GivenRows {
         in_lines: bool,
     ) -> Result<Self, Failure> {
         match syntax {
-            Syntax::Csv => Ok(Self::of_table(TextTable::open(input)?, columns, &keep)?),
+            Syntax::Csv => Ok(Self::of_text(TextRows::open(input)?, columns, keep)?),
             Syntax::Json => {
                 // Each row has keys of its own.
                 let kept = keep.names(in_lines)?;
@@ -39,8 +39,11 @@ impl GivenRows {
         }
     }
 
-    /// Rows of a table, or why these have no such columns.
-    pub fn of_table(mut table: TextTable, columns: Columns, keep: &Keep) -> Result<Self, String> {
+    /// Rows of a table, or why these have no such columns; or those of lines of JSON.
+    pub fn of_text(mut table: TextRows, columns: Columns, keep: Keep) -> Result<Self, String> {
+        if !table.is_table() {
+            return Ok(Self::of_objects(table.into_bytes(), columns, keep));
+        }
         let mut columns = columns.beside(keep.named());
         let kept = keep.places(&table.header, &columns)?;
         let places = columns.places(&table.header)?;
@@ -53,7 +56,7 @@ impl GivenRows {
     }
 
     /// Rows of JSON, an object each.
-    pub fn of_objects(
+    fn of_objects(
         objects: impl Iterator<Item = Numbered<Vec<u8>>> + Send + 'static,
         columns: Columns,
         keep: Keep,

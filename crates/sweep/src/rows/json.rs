@@ -1,5 +1,6 @@
 //! JSON objects: one on each line, in an array, or in the document that `couplet run` writes.
 
+use super::csv::TextRows;
 use super::lines::{InputLines, Reading};
 use super::{Input, MAX_RECORD, Numbered};
 use serde_json::error::Category;
@@ -10,18 +11,24 @@ use std::io::BufRead;
 pub(super) fn objects(input: Input) -> Box<dyn Iterator<Item = Numbered<Vec<u8>>> + Send> {
     let (lines, on_lines) = begun(input);
     if on_lines {
-        return Box::new(lines);
+        return Box::new(TextRows::of_lines(lines).into_bytes());
     }
-    let (input, line) = lines.lines.into_rest();
+    let (input, line) = lines.into_rest();
     Box::new(Elements { input, line, is_in_array: false, is_over: false })
 }
 
+/// Rows of JSON, one object on each line; none where they are in an array, or one is over several lines.
+pub fn json_lines(input: Input) -> Option<TextRows> {
+    let (lines, on_lines) = begun(input);
+    on_lines.then(|| TextRows::of_lines(lines))
+}
+
 /// The lines of an input, and whether each is a row of its own.
-fn begun(input: Input) -> (JsonRows, bool) {
+fn begun(input: Input) -> (InputLines, bool) {
     let mut lines = InputLines::new(input, 1);
     let (held, on_lines) = beginning(&mut lines);
     lines.give_back(&held, 1);
-    (JsonRows { lines, is_broken: false }, on_lines)
+    (lines, on_lines)
 }
 
 /// The first lines, and whether each line is a row of its own.
@@ -52,62 +59,6 @@ fn next_row(lines: &mut InputLines, held: &mut Vec<u8>) -> Vec<u8> {
         if !row.is_empty() || !matches!(reading, Ok(Reading::Line)) {
             return row.to_owned();
         }
-    }
-}
-
-/// Rows of JSON, one object on each line.
-pub struct JsonRows {
-    lines: InputLines,
-    is_broken: bool,
-}
-
-impl JsonRows {
-    /// Rows of an input; none where they are in an array, or one is over several lines.
-    pub fn open(input: Input) -> Option<Self> {
-        let (lines, on_lines) = begun(input);
-        on_lines.then_some(lines)
-    }
-
-    /// Rows of an input of which the first line has this number.
-    pub fn new(input: Input, line: u64) -> Self {
-        Self { lines: InputLines::new(input, line), is_broken: false }
-    }
-
-    /// Begins a piece with the next line: its number, and where it begins (bytes).
-    pub fn begin(&mut self) -> (u64, u64) {
-        self.lines.begin()
-    }
-
-    /// End of the bytes that were looked at since the beginning or that of a piece (bytes).
-    pub fn looked(&self) -> u64 {
-        self.lines.looked
-    }
-}
-
-impl Iterator for JsonRows {
-    type Item = Numbered<Vec<u8>>;
-
-    fn next(&mut self) -> Option<Self::Item> {
-        while !self.is_broken {
-            let (number, mut line) = (self.lines.number, Vec::new());
-            let found = self.lines.next_into(&mut line).and_then(|reading| match reading {
-                Reading::TooLong => self.lines.skip().map(|()| reading),
-                reading => Ok(reading),
-            });
-            match found {
-                Ok(Reading::End) => return None,
-                Ok(Reading::TooLong) => {
-                    return Some((number, Err(format!("a line of more than {MAX_RECORD} bytes"))));
-                }
-                Ok(Reading::Line) if line.iter().all(u8::is_ascii_whitespace) => {}
-                Ok(Reading::Line) => return Some((number, Ok(line))),
-                Err(error) => {
-                    self.is_broken = true;
-                    return Some((number, Err(error.to_string())));
-                }
-            }
-        }
-        None
     }
 }
 

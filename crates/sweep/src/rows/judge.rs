@@ -30,7 +30,7 @@ impl Judge {
         let mut row =
             JudgedRow { line, weight, half_opening, friction, kept, ..JudgedRow::default() };
         row.outcome = cells.and_then(|cells| {
-            let arch = self.reader.arch(&cells)?;
+            let (arch, ..) = self.reader.arch(&cells)?;
             row.note = notes([arch.friction()]).pop();
             let claim = self.claim(&cells)?;
             row.thickness = claim.thickness.as_ref().map(ToString::to_string);

@@ -39,10 +39,6 @@ pub enum Purpose {
     Assemblies,
 }
 
-/// Sizes that a row may have, and what makes forces of them.
-pub(super) const SIZES: [Field; 6] =
-    [Field::Span, Field::Rise, Field::Radius, Field::MeasuredAt, Field::Density, Field::Depth];
-
 const ARCH: [Role; 4] = [Role::Weight, Role::HalfOpening, Role::Friction, Role::FrictionAngle];
 
 impl Purpose {
@@ -54,7 +50,7 @@ impl Purpose {
         let mut roles = ARCH.to_vec();
         roles.push(Role::GivenThickness);
         if self == Self::Ask {
-            roles.extend(SIZES.map(Role::Size));
+            roles.extend(Field::SIZES.map(Role::Size));
         } else {
             roles.extend([Role::CanStand, Role::Stands, Role::Mode]);
             roles.extend(Quantity::STATE.map(Role::Number));

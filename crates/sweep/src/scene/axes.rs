@@ -11,14 +11,6 @@ use crate::ask::{
 use crate::number::{BETWEEN, is_range};
 use toml::de::{DeTable, DeValue};
 
-/// Question that any arch of a scene answers.
-pub(super) const QUESTION: ArchQuestion =
-    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
-
-/// Fields of which each makes an arch a measured one.
-const SIZES: [Field; 6] =
-    [Field::Span, Field::Rise, Field::Radius, Field::MeasuredAt, Field::Density, Field::Depth];
-
 /// Key with its values, which are written out only when it is known that they are not too many.
 pub(super) struct ArchAxis {
     pub field: Field,
@@ -31,26 +23,31 @@ pub(super) struct ArchAxis {
 
 /// Texts that a value may have.
 #[derive(Clone, Copy)]
-pub(super) struct Allowed {
+struct Allowed {
     /// Ranges, and boxes of them.
-    pub ranges: bool,
+    ranges: bool,
     /// True of arches in metres, of which a thickness by itself says nothing.
-    pub measured: bool,
+    measured: bool,
 }
 
-/// Single values of arches that are not measured.
-pub(super) const SINGLE: Allowed = Allowed { ranges: false, measured: false };
+impl ArchAxis {
+    /// Numbers that the texts say, each by itself.
+    pub(super) fn parts(self, table: &mut TableReader) -> Option<Vec<ArchGiven>> {
+        let part = |text: String| ArchGiven::part(&ArchAsked::of([(self.field, text.as_str())]));
+        self.texts.map(|text| table.fitting(part(text))).collect()
+    }
+}
 
 /// Tells whether arches are measured.
 pub(super) fn is_measured(table: &TableReader) -> bool {
-    SIZES.iter().any(|field| table.get(field.name()).is_some())
+    Field::SIZES.iter().any(|field| table.get(field.name()).is_some())
 }
 
 /// Values of arches that a table gives.
 pub(super) fn given<'a>(table: &mut TableReader<'a, '_>) -> Vec<(Field, &'a TomlValue<'a>)> {
     let numbers = [Field::HalfOpening, Field::Friction, Field::FrictionAngle, Field::Thickness];
     let mut all = Vec::new();
-    for field in numbers.into_iter().chain(SIZES) {
+    for field in numbers.into_iter().chain(Field::SIZES) {
         let [named, lettered] = [Some(field.name()), field.letter()].map(|key| table.get(key?));
         if let (Some(_), Some(letter), Some(value)) = (named, field.letter(), lettered) {
             let message = format!("both {} and {letter}; give one of them", field.name());
@@ -61,24 +58,28 @@ pub(super) fn given<'a>(table: &mut TableReader<'a, '_>) -> Vec<(Field, &'a Toml
     all
 }
 
-/// Keys of arches, each read by itself; `None` if any is wrong, or if they are not those of the question.
+/// Keys of arches, each read by itself, as ranges too if there may be any; `None` if any is wrong, or if they are not
+/// those of the question.
 pub(super) fn axes(
     table: &mut TableReader,
-    question: &ArchQuestion,
-    allowed: Allowed,
+    question: Option<&ArchQuestion>,
+    ranges: bool,
 ) -> Option<Vec<ArchAxis>> {
     let before = table.reader.faults.len();
     let given = given(table);
-    let asked = ArchAsked::of(given.iter().map(|(field, _)| (*field, "")));
-    let fits = question.fits(&asked, Spelling::Key);
-    table.fitting(fits.and_then(|()| question.is_whole(&asked, Spelling::Key)));
+    if let Some(question) = question {
+        let asked = ArchAsked::of(given.iter().map(|(field, _)| (*field, "")));
+        let fits = question.fits(&asked, Spelling::Key);
+        table.fitting(fits.and_then(|()| question.is_whole(&asked, Spelling::Key)));
+    }
+    let allowed = Allowed { ranges, measured: is_measured(table) };
     let axes = given.into_iter().map(|(field, value)| axis(table.reader, field, value, allowed));
     let axes: Vec<ArchAxis> = axes.flatten().collect();
     table.is_well_since(before).then_some(axes)
 }
 
 /// A key: numbers at equal distances, ranges that touch, or a list of texts, each once. `None` if any is wrong.
-pub(super) fn axis(
+fn axis(
     reader: &mut TomlReader,
     field: Field,
     value: &TomlValue,

@@ -4,11 +4,10 @@ use super::computable::{Computable, Done};
 use super::same::{arch_key, number_key};
 use super::shared::Shared;
 use crate::arch::SelfWeight;
-use crate::ask::ArchAsked;
+use crate::ask::{ArchGiven, Misfit};
 use crate::atlas::{NoSketch, Sketch};
 use crate::number::ExactNumber;
-use crate::problem::{Arch, Landmark, Mode};
-use crate::report::Style;
+use crate::problem::{Arch, Landmark};
 use std::fmt;
 
 /// An arch that is drawn.
@@ -33,6 +32,18 @@ pub enum Pose {
     Standing(Arch, ExactNumber),
     /// At the friction at which it slides, with a thickness; the friction of the arch is not read.
     Sliding(Arch, ExactNumber),
+}
+
+impl Pose {
+    /// Pose of an arch as it is given: as it stands, at its least thickness where it has none, or where it slides.
+    pub fn of(given: &ArchGiven, weight: SelfWeight, slides: bool) -> Result<Self, Misfit> {
+        let arch = given.arch(weight)?;
+        Ok(match given.thickness.clone() {
+            Some(thickness) if slides => Self::Sliding(arch, thickness),
+            Some(thickness) => Self::Standing(arch, thickness),
+            None => Self::Least(arch),
+        })
+    }
 }
 
 impl DrawnArch {
@@ -60,29 +71,6 @@ impl DrawnArch {
             (Pose::Sliding(arch, eta), _) => Sketch::sliding(arch, eta, is_dilatant),
         }
     }
-
-    /// The command that draws the arch of these texts.
-    pub(super) fn command(&self, asked: &ArchAsked, mode: Option<Mode>, style: &Style) -> String {
-        let mut command = format!("couplet draw{}", asked.options());
-        let mut say = |option: &str, value: &str| command += &format!(" --{option} {value}");
-        if let Pose::Landmark(landmark, _) = &self.pose {
-            say("at", landmark.symbol());
-        }
-        say("weight", self.weight().name());
-        if let Some(mode) = mode {
-            say("mode", mode.label());
-        }
-        if style.amplitude != Style::default().amplitude {
-            say("amplitude", &format!("{:?}", style.amplitude));
-        }
-        if let Some(stones) = self.stones {
-            say("stones", &stones.to_string());
-        }
-        let is_asked = [self.is_dilatant, style.half, style.arrows, style.animate];
-        let names = [" --dilatant", " --half", " --arrows", " --animate"];
-        command.extend(names.into_iter().zip(is_asked).filter_map(|(name, is)| is.then_some(name)));
-        command
-    }
 }
 
 impl Computable for DrawnArch {
@@ -109,24 +97,20 @@ impl Computable for DrawnArch {
 
 impl fmt::Display for DrawnArch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let weight = self.weight().name();
         if let Some(stones) = self.stones {
             write!(f, "{stones} stones, ")?;
         }
-        let (alpha, mu) = match &self.pose {
-            Pose::Landmark(landmark, _) => return write!(f, "{} {weight}", landmark.symbol()),
-            Pose::Least(arch) | Pose::Standing(arch, _) | Pose::Sliding(arch, _) => {
-                (arch.half_opening(), arch.friction())
-            }
-        };
+        let of = |arch: &Arch| format!("half opening {}", arch.half_opening());
         match &self.pose {
-            Pose::Standing(_, eta) => {
-                write!(f, "half opening {alpha}, friction {mu}, thickness {eta}, {weight}")
+            Pose::Landmark(landmark, _) => f.write_str(landmark.symbol())?,
+            Pose::Least(arch) => {
+                write!(f, "least thickness of {}, friction {},", of(arch), arch.friction())?;
             }
-            Pose::Sliding(_, eta) => {
-                write!(f, "sliding of half opening {alpha}, thickness {eta}, {weight}")
+            Pose::Standing(arch, eta) => {
+                write!(f, "{}, friction {}, thickness {eta},", of(arch), arch.friction())?;
             }
-            _ => write!(f, "least thickness of half opening {alpha}, friction {mu}, {weight}"),
+            Pose::Sliding(arch, eta) => write!(f, "sliding of {}, thickness {eta},", of(arch))?,
         }
+        write!(f, " {}", self.weight().name())
     }
 }

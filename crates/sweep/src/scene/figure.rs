@@ -23,16 +23,16 @@ pub fn figure(
     let is_of_one = view.is_none_or(View::is_of_one_weight);
     let usual = if is_of_one { &[SelfWeight::Milankovitch] } else { &SelfWeight::ALL[..] };
     let weights = weights.map_or(usual.to_vec(), in_order);
+    let command = format!("couplet figure {number} --weight {}", weight_word(&weights));
     if is_of_one && weights.len() > 1 {
         return Err(format!("figure {number} shows one {}", key("weight")));
     }
     let Some(view) = view else {
         let message =
             format!("figure {number} has no curves of the map; leave out {}", key("tolerance"));
-        return tolerance.map_or_else(|| arches(number, weights[0]), |_| Err(message));
+        return tolerance.map_or_else(|| arches(number, weights[0], command), |_| Err(message));
     };
     let tolerance = tolerance.unwrap_or(TOLERANCE);
-    let command = command(&format!("figure {number}"), &weights, tolerance);
     let contours = if let View::Map(plane) = view { plane.contours() } else { Vec::new() };
     let lines = |weight: &SelfWeight| {
         let curves = Curve::ALL.map(MapLine::Curve).into_iter();
@@ -45,25 +45,20 @@ pub fn figure(
 }
 
 /// Arches of a figure.
-fn arches(number: usize, weight: SelfWeight) -> Result<Request, String> {
+fn arches(number: usize, weight: SelfWeight, command: String) -> Result<Request, String> {
     let shown = arches_of_figure(number).ok_or("a figure is a number from 1 to 12")?;
     let arch = |(landmark, modes): &(Landmark, &[Mode])| {
         let pose = Pose::Landmark(*landmark, weight);
         (DrawnArch { pose, stones: None, is_dilatant: false }, modes.to_vec())
     };
     let arches = shown.iter().map(arch).collect();
-    let command = format!("couplet figure {number} --weight {}", weight.name());
     let style = Style::of_figure(number);
     Ok(Request::Drawing(SceneDrawing { arches, style, measures: None, command }))
 }
 
-/// The command that asks for the same.
-pub(super) fn command(name: &str, weights: &[SelfWeight], tolerance: f64) -> String {
-    let weight = match weights {
-        [one] => one.name(),
-        _ => "both",
-    };
-    format!("couplet {name} --weight {weight} --tolerance {tolerance:?}")
+/// Word for weights of the map.
+pub(super) fn weight_word(weights: &[SelfWeight]) -> String {
+    if let [one] = weights { one.name() } else { "both" }.to_owned()
 }
 
 /// Weights in the order in which they are always shown.

@@ -134,9 +134,9 @@ impl<'a> ItemParts<'a> {
     /// The boxes of each self-weight.
     fn boxes(&self, boxes: &SceneBoxes, asked: usize) -> ItemFound {
         let (found, undecided) = self.apart(asked, |of: &SurveyedCell| of.reason.is_some());
-        let SceneBoxes { asked, given, cut, rows } = boxes;
+        let SceneBoxes { asked, cut, rows } = boxes;
         let of_weight = |cells: &[Arc<SurveyedCell>]| SurveyedCells {
-            asked: Understood::of_ranges(asked, given),
+            asked: asked.clone(),
             weight: cells[0].weight,
             cut: cut.clone(),
             cells: cells.to_vec(),

@@ -108,9 +108,9 @@ impl LandmarkPiece {
         Ok(Self { point, constants, certificates, enclosed })
     }
 
-    /// Constants that an item asks for, in the order in which it is always shown, whoever asked first.
+    /// Constants that an item asks for, in its order, whoever asked first.
     pub(super) fn constants(&self, quantities: &[Quantity], digits: usize) -> Vec<Constant> {
-        let place = |of| Quantity::LANDMARK.iter().position(|quantity| *quantity == of);
+        let place = |of| quantities.iter().position(|quantity| *quantity == of);
         let mine = self
             .constants
             .iter()

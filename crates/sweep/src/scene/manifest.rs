@@ -116,7 +116,8 @@ fn asked(item: &SceneItem) -> String {
     hash_of(text.as_bytes())
 }
 
-fn content_of(path: &Path) -> io::Result<String> {
+/// SHA-256 of a file.
+pub(crate) fn content_of(path: &Path) -> io::Result<String> {
     if !path.is_file() {
         return Err(io::ErrorKind::InvalidInput.into());
     }

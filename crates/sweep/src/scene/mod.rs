@@ -80,7 +80,7 @@ pub(crate) use hash::hash_of;
 pub use item_report::ItemReport;
 pub use landmark_node::LandmarkNode;
 #[cfg(feature = "parquet")]
-pub(crate) use manifest::{MAX_RECORD, record_bytes};
+pub(crate) use manifest::{MAX_RECORD, content_of, record_bytes};
 pub use manifest::{Manifest, NAME as MANIFEST};
 pub use plan::{Plan, PlannedPart};
 pub use read::{read, read_bytes};

@@ -22,6 +22,8 @@ pub struct Plan<'s> {
     pub parts: Vec<PlannedPart<'s>>,
     /// For each item, the places of the parts that it takes.
     pub needs: Vec<Vec<usize>>,
+    /// The places of the parts, by kind and key.
+    places: HashMap<(&'static str, String), usize>,
 }
 
 /// A part of the work, and who takes it.
@@ -38,31 +40,18 @@ pub struct PlannedPart<'s> {
 /// The digits of the landmarks on a page.
 pub(super) const PAGE_DIGITS: usize = 15;
 
-/// A plan that grows item by item.
-struct Planning<'s> {
-    parts: Vec<PlannedPart<'s>>,
-    /// The places of the parts, by kind and key.
-    places: HashMap<(&'static str, String), usize>,
-    /// The item that is read.
-    item: usize,
-    /// The places that it takes.
-    needs: Vec<usize>,
-}
-
 impl<'s> Plan<'s> {
     /// The plan of a scene, without the items whose outputs are complete.
     pub fn new(scene: &'s Scene, complete: Vec<bool>) -> Self {
-        let (parts, places) = (Vec::new(), HashMap::new());
-        let mut planning = Planning { parts, places, item: 0, needs: Vec::new() };
-        let needs = scene.items.iter().enumerate().map(|(index, item)| {
-            planning.item = index;
-            if !complete.get(index).copied().unwrap_or(false) {
-                planning.item(item);
+        let (parts, needs, places) = (Vec::new(), Vec::new(), HashMap::new());
+        let mut plan = Self { scene, complete, parts, needs, places };
+        for (index, item) in scene.items.iter().enumerate() {
+            plan.needs.push(Vec::new());
+            if !plan.complete.get(index).copied().unwrap_or(false) {
+                plan.item(item);
             }
-            std::mem::take(&mut planning.needs)
-        });
-        let needs = needs.collect();
-        Self { scene, complete, parts: planning.parts, needs }
+        }
+        plan
     }
 
     /// Sizes of the parts, in digits of landmarks that take as long.
@@ -74,9 +63,8 @@ impl<'s> Plan<'s> {
     pub fn ticks(&self) -> u64 {
         self.parts.iter().map(|part| part.work.of().ticks()).sum()
     }
-}
 
-impl<'s> Planning<'s> {
+    /// Adds what an item takes, which is the last.
     fn item(&mut self, item: &'s SceneItem) {
         match &item.what {
             Request::Constants { points, quantities, digits } => {
@@ -132,12 +120,12 @@ impl<'s> Planning<'s> {
 
     /// A part that the item takes, added if it is not there.
     fn part(&mut self, work: Work<'s>) -> &mut Work<'s> {
-        let (item, parts) = (self.item, &mut self.parts);
+        let (item, parts) = (self.needs.len() - 1, &mut self.parts);
         let place = *self.places.entry((work.kind().0, work.of().key())).or_insert_with(|| {
             parts.push(PlannedPart { work, first: item, last: item });
             parts.len() - 1
         });
-        self.needs.push(place);
+        self.needs[item].push(place);
         parts[place].last = item;
         &mut parts[place].work
     }

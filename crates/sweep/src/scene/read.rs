@@ -1,20 +1,21 @@
 //! Reading from TOML to a valid scene, or to everything that is wrong with it.
 
-use super::fault::{Fault, SceneText};
+use super::fault::Fault;
+use super::figure::in_order;
 use super::read_arches::arches;
 use super::read_drawing::drawing;
 use super::read_map::{map, read_figure};
 use super::read_output::{OutputFiles, output};
 use super::read_print::print;
 use super::schema::{
-    DIGITS, ItemKind, MAX_BYTES, MAX_ITEMS, RANGE_DIGITS, Request, SCENE_KEYS, SCHEMA, Scene,
-    SceneItem,
+    DIGITS, ItemKind, MAX_ITEMS, RANGE_DIGITS, Request, SCENE_KEYS, SCHEMA, Scene, SceneItem,
 };
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::certify::quantities as quantities_of;
 use crate::claims::{Claim, claims};
+use crate::parse::claims_named;
 use crate::picture::Print;
 use crate::problem::{Landmark, Quantity};
 use crate::report::words::{did_you_mean, list};
@@ -23,41 +24,16 @@ use toml::de::{DeTable, DeValue};
 
 /// Reads a scene from a file's bytes; see [`read`].
 pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Vec<Fault>> {
-    read(text_of(bytes, "a scene")?)
-}
-
-/// The text of a file of this kind.
-pub(super) fn text_of<'b>(bytes: &'b [u8], kind: &str) -> Result<&'b str, Vec<Fault>> {
-    let fault = |before: &str, message: String| {
-        Err(vec![Fault { place: SceneText::new(before).place(before.len()), message }])
-    };
-    if bytes.len() > MAX_BYTES {
-        return fault("", format!("{kind} has at most {MAX_BYTES} bytes"));
-    }
-    match str::from_utf8(bytes) {
-        Ok(text) => Ok(text),
-        Err(error) => {
-            let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-            fault(&before, "not TOML: this is not valid UTF-8".to_owned())
-        }
-    }
+    let (items, notes) = TomlReader::file(bytes, "a scene", SCHEMA, scene)?;
+    Ok(Scene { items, notes })
 }
 
 /// Reads a scene. Nothing is computed; the faults are all there are, in the order of the file.
 pub fn read(text: &str) -> Result<Scene, Vec<Fault>> {
-    let mut reader = TomlReader::new(text);
-    let root = reader.parsed(text)?;
-    let items = scene(&mut reader, root.get_ref());
-    match reader.faults.is_empty() {
-        true => Ok(Scene { items, notes: reader.notes }),
-        false => Err(reader.sorted()),
-    }
+    read_bytes(text.as_bytes())
 }
 
-fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<SceneItem> {
-    if !reader.has_schema(root, SCHEMA, "a scene") {
-        return Vec::new();
-    }
+fn scene(reader: &mut TomlReader, root: &DeTable) -> Option<Vec<SceneItem>> {
     let keys: Vec<&str> = SCENE_KEYS.into_iter().chain(ItemKind::ALL.map(ItemKind::name)).collect();
     reader.unknown_keys(root, "a scene", &keys);
     let mut whole = TableReader { reader, span: 0..0, table: root };
@@ -82,7 +58,7 @@ fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<SceneItem> {
     let items = tables.into_iter().filter_map(|(kind, span, table)| {
         item(TableReader { reader, span, table }, kind, &mut files, &mut used)
     });
-    items.collect()
+    Some(items.collect())
 }
 
 /// The tables of the items in the order of the file.
@@ -132,17 +108,13 @@ fn item(
     let print = if is_drawn { print(&mut table, format) } else { Some(Print::default()) };
     let ((output, format), print) = (destination?, print?);
     let place = table.reader.source.place(table.span.start);
-    let mut what = what?;
-    if let Some(command) = what.command() {
-        *command += &print.options();
-    }
-    let item = SceneItem { place, kind, what, format, print, output };
+    let item = SceneItem { place, kind, what: what?, format, print, output };
     table.is_well_since(before).then_some(item)
 }
 
 fn constants(table: &mut TableReader) -> Option<Request> {
     let points = points(table);
-    let quantities = table.chosen("quantities", &Quantity::LANDMARK, Quantity::name);
+    let quantities = table.quantities(&Quantity::LANDMARK);
     let digits = table.digits(table.reader.digits);
     let (points, quantities, digits) = (points?, quantities?, digits?);
     let exists = |quantity| points.iter().any(|(l, _)| quantities_of(*l).any(|q| q == quantity));
@@ -157,12 +129,10 @@ fn constants(table: &mut TableReader) -> Option<Request> {
 
 /// Landmarks times weights, by weight, in the order in which they are always shown.
 fn points(table: &mut TableReader) -> Option<Vec<(Landmark, SelfWeight)>> {
-    let asked = table.landmarks("landmarks");
-    let weights = table.weights(&SelfWeight::ALL);
-    let (asked, weights) = (asked?, weights?);
-    let all = SelfWeight::ALL.into_iter().filter(|weight| weights.contains(weight));
-    let landmarks = || Landmark::ALL.into_iter().filter(|landmark| asked.contains(landmark));
-    Some(all.flat_map(|weight| landmarks().map(move |landmark| (landmark, weight))).collect())
+    let (landmarks, weights) = (table.landmarks("landmarks"), table.weights(&SelfWeight::ALL));
+    let (landmarks, weights) = (landmarks?, in_order(weights?));
+    let of_each = |weight: SelfWeight| landmarks.iter().map(move |landmark| (*landmark, weight));
+    Some(weights.into_iter().flat_map(of_each).collect())
 }
 
 /// Claims, each by its id or by the beginning of it up to a hyphen.
@@ -173,21 +143,16 @@ fn some_claims(table: &mut TableReader) -> Option<Request> {
 }
 
 fn chosen(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Claim>> {
-    let all = claims();
     let allowed = "ids of claims, or leave it out for all";
-    let names: Vec<&str> = reader.each_once(key, value, allowed, |reader, element| {
-        let name = element.get_ref().as_str().unwrap_or_default();
-        if all.iter().any(|claim| claim.is_named(name)) {
-            return Some((name, name));
+    let names = reader.each_once(key, value, allowed, |reader, element| {
+        let name = element.get_ref().as_str().unwrap_or_default().to_owned();
+        if claims_named(std::slice::from_ref(&name)).is_ok() {
+            return Some((name.clone(), name));
         }
-        let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
-        let hint = did_you_mean(name, &ids);
-        reader.reject(
-            key,
-            element,
-            &format!("a claim{hint}; couplet prove --list shows the claims"),
-        )
+        let ids: Vec<&str> = claims().iter().map(|claim| claim.id).collect();
+        let allowed =
+            format!("a claim{}; couplet prove --list shows the claims", did_you_mean(&name, &ids));
+        reader.reject(key, element, &allowed)
     })?;
-    let is_chosen = |claim: &Claim| names.iter().any(|name| claim.is_named(name));
-    Some(all.into_iter().filter(is_chosen).collect())
+    claims_named(&names).ok()
 }

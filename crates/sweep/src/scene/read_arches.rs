@@ -1,15 +1,15 @@
 //! Reading from TOML to arches, or to arches between two ends where any value is a range.
 
-use super::axes::{Allowed, ArchAxis, QUESTION, axes, example, is_measured, product};
+use super::axes::{ArchAxis, axes, example, is_measured, product};
 use super::schema::{MAX_RANGES, MeasuredArch, Request, SceneArch, SceneBoxes, SceneSurvey};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, Field, Misfit, Spelling, SurveyGiven};
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, SurveyGiven};
 use crate::number::is_range;
 use crate::problem::Quantity;
 use crate::report::words::distinct;
-use crate::report::{Format, Reported, SurveyedArches, SurveyedRows};
+use crate::report::{Format, Reported, SurveyedArches, SurveyedRows, Understood};
 use crate::surveyed;
 use toml::de::DeValue;
 
@@ -35,11 +35,11 @@ pub(super) fn arches(
         is_written(table, format);
     }
     let weights = table.weights(&[SelfWeight::Milankovitch]);
-    let allowed = Allowed { ranges, measured: is_measured(table) };
-    let axes = axes(table, &QUESTION, allowed);
+    let measured = is_measured(table);
+    let axes = axes(table, Some(&ArchQuestion::ANY), ranges);
     let has = |field| table.given_field(field).is_some();
     let with_thickness = has(Field::Thickness);
-    let known = if ranges { surveyed::told(has) } else { known(has, allowed.measured) };
+    let known = if ranges { surveyed::told(has) } else { known(has, measured) };
     let quantities = quantities(table, &known);
     let usual = if ranges { table.reader.range_digits } else { table.reader.digits };
     let digits = table.digits(usual);
@@ -48,7 +48,7 @@ pub(super) fn arches(
         true => surveys(table, axes, &weights, (quantities, digits), used)?,
         false => {
             let asked = product(table, axes, weights.len(), used)?;
-            let arches = all(table, &asked, &weights, allowed.measured);
+            let arches = all(table, &asked, &weights, measured);
             Request::Arches { arches, quantities, with_thickness, digits }
         }
     };
@@ -76,7 +76,7 @@ fn all(
     let mut arches = Vec::with_capacity(asked.len() * weights.len());
     for &weight in weights {
         for asked in asked {
-            let given = ArchGiven::read(&QUESTION, asked, Spelling::Key);
+            let given = ArchGiven::read(&ArchQuestion::ANY, asked, Spelling::Key);
             let read = given.and_then(|given| Ok((given.arch(weight)?, given)));
             let Some((arch, given)) = table.fitting(read) else { continue };
             let thickness = given.thickness.clone();
@@ -122,7 +122,8 @@ fn surveys(
             let given = table.fitting(given(&asked))?;
             let rows = SurveyedRows::new(quantities.clone(), asked.thickness.is_some());
             let cut = cut.into_iter().map(|(of, count, _)| (of, count)).collect();
-            Some(Box::new(SceneBoxes { asked, given, cut, rows }))
+            let asked = Understood::of_ranges(&asked, &given);
+            Some(Box::new(SceneBoxes { asked, cut, rows }))
         }
     };
     let read: Vec<_> = all.iter().filter_map(|asked| table.fitting(given(asked))).collect();
@@ -136,7 +137,7 @@ fn surveys(
 
 /// The arches of a question.
 pub(super) fn given(asked: &ArchAsked) -> Result<SurveyGiven, Misfit> {
-    SurveyGiven::read(&QUESTION, asked, Spelling::Key)
+    SurveyGiven::read(&ArchQuestion::ANY, asked, Spelling::Key)
 }
 
 /// Refuses a format that ranges do not have.
@@ -156,7 +157,7 @@ fn quantities(table: &mut TableReader, all: &[Quantity]) -> Option<Vec<Quantity>
     let without = table.get("quantities").filter(|_| table.given_field(Field::Thickness).is_none());
     match without.is_some_and(|value| needs_thickness(table.reader, value)) {
         true => None,
-        false => table.chosen("quantities", all, Quantity::name),
+        false => table.quantities(all),
     }
 }
 

@@ -1,15 +1,14 @@
 //! Reading from TOML to an arch that is drawn.
 
-use super::axes::{Allowed, QUESTION, axes, example, given, is_measured, product};
+use super::axes::{axes, example, given, is_measured, product};
 use super::drawn::{DrawnArch, Pose};
-use super::schema::{Request, SceneDrawing};
+use super::schema::{ItemKind, Request, SceneDrawing};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
+use crate::ask::{ArchGiven, ArchQuestion, Field, Spelling};
 use crate::problem::Mode;
 use crate::problem::measures::Measures;
-use crate::report::words::list;
 use crate::report::{Format, Style};
 use toml::de::DeValue;
 
@@ -36,7 +35,7 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     // Of what is wrong any other does, to read the rest.
     let any = weight.unwrap_or(SelfWeight::Milankovitch);
     let pose = pose(table, any, mode.flatten());
-    let ((asked, measures, pose), mode, stones, is_dilatant) = (pose?, mode?, stones?, dilatant?);
+    let ((measures, pose), mode, stones, is_dilatant) = (pose?, mode?, stones?, dilatant?);
     weight?;
     let (amplitude, half, arrows, animate) = (amplitude?, half?, arrows?, animate?);
     let style = Style { amplitude, half, arrows, animate, notation: false };
@@ -60,18 +59,23 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
         return table.refuse(message);
     }
     let drawn = DrawnArch { pose, stones, is_dilatant };
-    let command = drawn.command(&asked, mode, &style);
+    let mut said = vec![("weight", vec![drawn.weight().name().to_owned()])];
+    if let Pose::Landmark(landmark, _) = &drawn.pose {
+        said.push(("at", vec![landmark.symbol().to_owned()]));
+    }
+    said.extend(mode.map(|mode| ("mode", vec![mode.label().to_owned()])));
+    let command = table.command("couplet draw".to_owned(), ItemKind::Drawing, &said);
     let arches = vec![(drawn, mode.into_iter().collect())];
     let drawing = Request::Drawing(SceneDrawing { arches, style, measures, command });
     table.is_well_since(before).then_some(drawing)
 }
 
-/// Reads the pose in which an arch is drawn, with its texts, and its sizes if it is in metres.
+/// Reads the pose in which an arch is drawn, with its sizes if it is in metres.
 fn pose(
     table: &mut TableReader,
     weight: SelfWeight,
     mode: Option<Mode>,
-) -> Option<(ArchAsked, Option<Measures>, Pose)> {
+) -> Option<(Option<Measures>, Pose)> {
     let measured = is_measured(table);
     let fields = given(table);
     let has = |all: &[Field]| fields.iter().any(|(field, _)| all.contains(field));
@@ -86,9 +90,7 @@ fn pose(
             table.reader.fault(value.span(), message);
         }
         return match table.landmarks("at")?[..] {
-            [landmark] if is_alone => {
-                Some((ArchAsked::default(), None, Pose::Landmark(landmark, weight)))
-            }
+            [landmark] if is_alone => Some((None, Pose::Landmark(landmark, weight))),
             [_] => None,
             _ => table.reader.reject("at", value, "one of them: a drawing shows one arch"),
         };
@@ -108,18 +110,13 @@ fn pose(
     }
     // Without a friction of its own an arch slides at the one at which it does.
     let slides = mode == Some(Mode::Sliding) && has(&[Field::Thickness]) && !has_friction;
-    let question = ArchQuestion { unlimited: slides, ..QUESTION };
-    let axes = axes(table, &question, Allowed { ranges: false, measured })?;
+    let question = ArchQuestion { unlimited: slides, ..ArchQuestion::ANY };
+    let axes = axes(table, Some(&question), false)?;
     let asked = product(table, axes, 1, &mut 0)?.pop()?;
     let given = table.fitting(ArchGiven::read(&question, &asked, Spelling::Key))?;
     table.remark_on(&given.friction);
-    let arch = table.fitting(given.arch(weight))?;
-    let pose = match given.thickness {
-        Some(thickness) if slides => Pose::Sliding(arch, thickness),
-        Some(thickness) => Pose::Standing(arch, thickness),
-        None => Pose::Least(arch),
-    };
-    Some((asked, given.measures, pose))
+    let pose = table.fitting(Pose::of(&given, weight, slides))?;
+    Some((given.measures, pose))
 }
 
 /// Tells whether a key has several values, or none; boxes have their own fault.
@@ -132,8 +129,5 @@ fn is_several(value: &TomlValue) -> bool {
 }
 
 fn mode(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Mode> {
-    let found = value.get_ref().as_str().and_then(Mode::named);
-    found.or_else(|| {
-        reader.reject(key, value, &format!("one of {}", list(Mode::ALL.map(Mode::label))))
-    })
+    reader.one_named(key, value, &Mode::ALL.map(Mode::label), Mode::named)
 }

@@ -1,15 +1,16 @@
 //! Reading from TOML to curves of the map, as data or as a picture.
 
-use super::axes::{SINGLE, axis, given};
-use super::figure::{TOLERANCE, command, figure, in_order};
+use super::axes;
+use super::figure::{TOLERANCE, figure, in_order, weight_word};
 use super::scene_map::SceneMap;
-use super::schema::{MAX_ITEMS, Request};
+use super::schema::{ItemKind, MAX_ITEMS, Request};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven};
+use crate::ask::Misfit;
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit};
+use std::mem;
 
 /// The map, or curves of it.
 pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> Option<Request> {
@@ -22,49 +23,32 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
     let plane = table.if_given("plane", plane);
     let [lines, bare, asymmetric] = ["lines", "bare", "asymmetric"].map(|key| table.truth(key));
     let (axes, marks) = (axes(table), table.or("marks", Vec::new(), marks));
-    let (weights, curves, contours, bare) = (weights?, curves?, contours?, bare?);
-    let (axes, marks) = (axes?, marks?);
-    let (tolerance, plane, lines, asymmetric) = (tolerance?, plane?, lines?, asymmetric?);
-    let format = format?;
-    let axes = if asymmetric { axes.of_asymmetric(format) } else { axes };
+    let (axes, format) = (axes?, format?);
+    let axes = if asymmetric == Some(true) { axes.of_asymmetric(format) } else { axes };
     let asked = MapAsked {
         format,
-        weights: weights.len(),
-        names_curves: !curves.is_empty(),
-        contours: &contours,
-        plane,
-        lines,
-        bare,
-        asymmetric,
-        axes: &axes,
-        has_marks: !marks.is_empty(),
+        weights: weights?,
+        curves: curves?,
+        contours: contours?,
+        plane: plane?,
+        lines: lines?,
+        bare: bare?,
+        asymmetric: asymmetric?,
+        axes,
+        marks: marks?,
+        tolerance: tolerance?,
     };
     if let Some(message) = asked.misfit(key) {
         return table.refuse(message);
     }
-    let plane = asked.plane();
-    let mut command = command("map", &weights, tolerance);
-    let names: Vec<String> = curves.iter().map(ToString::to_string).collect();
-    if !names.is_empty() {
-        command += &format!(" --curve {}", names.join(","));
-    }
-    for contour in &contours {
-        command += &format!(" --{} {}", contour.name().replace(' ', "-"), contour.given());
-    }
-    if bare {
-        command += " --bare";
-    }
-    if asymmetric {
-        command += " --asymmetric";
-    }
-    if lines {
-        command += " --lines";
-    } else if format.is_picture {
-        command += &format!(" --plane {}", plane.name());
-    }
-    command += &words(table, &marks);
-    let named = (&curves[..], contours.clone());
-    Some(Request::Map(SceneMap::new(&asked, &weights, named, tolerance, marks, command)))
+    let said = |name| {
+        let all = asked.contours.iter().filter(|of| of.name().replace(' ', "_") == name);
+        (name, all.map(Contour::given).collect())
+    };
+    let [alpha, eta, mu] = ["half_opening", "thickness", "friction"].map(said);
+    let said = [alpha, eta, mu, ("weight", vec![weight_word(&asked.weights)])];
+    let command = table.command("couplet map".to_owned(), ItemKind::Map, &said);
+    Some(Request::Map(SceneMap::new(asked, command)))
 }
 
 /// A figure of the paper.
@@ -77,9 +61,16 @@ pub(super) fn read_figure(table: &mut TableReader) -> Option<Request> {
     let tolerance = table.if_given("tolerance", tolerance);
     let (number, weights, tolerance) = (number?, weights?, tolerance?);
     let weights = weights.or_else(|| table.reader.weights.clone());
-    figure(number, weights, tolerance, str::to_owned)
-        .or_else(|said| table.refuse(said).ok_or(()))
-        .ok()
+    match figure(number, weights, tolerance, str::to_owned) {
+        Ok(mut what) => {
+            let said = [("number", Vec::new()), ("weight", Vec::new())];
+            if let Some(command) = what.command() {
+                *command = table.command(mem::take(command), ItemKind::Figure, &said);
+            }
+            Some(what)
+        }
+        Err(said) => table.refuse(said),
+    }
 }
 
 /// The keys of axes: of the half opening, the friction and the thickness, with the units of each.
@@ -92,10 +83,9 @@ const AXES: [(&str, &str, &[&str]); 3] = [
 /// Axes: how a map shows its quantities, and from where to where.
 fn axes(table: &mut TableReader) -> Option<Axes> {
     let mut shown = |(unit, range, units): (&str, &str, &[&str])| {
-        let known: Vec<(&str, Unit)> =
-            units.iter().map(|name| (*name, Unit::named(name))).collect();
+        let named = |name: &str| units.contains(&name).then(|| Unit::named(name));
         let unit = table.or(unit, Unit::Usual, |reader, key, value| {
-            reader.names(key, value, &known)?.first().copied()
+            reader.one_named(key, value, units, named)
         })?;
         let range =
             table.if_given(range, |reader, key, value| reader.said(key, value, Shown::range_of))?;
@@ -114,28 +104,14 @@ fn marks(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Ma
     })
 }
 
-/// Options of axes and marks, as a command line has them.
-fn words(table: &TableReader, marks: &[Marked]) -> String {
-    let keys = AXES.iter().flat_map(|(unit, range, _)| [*unit, *range]);
-    let axes = keys.filter_map(|key| {
-        let value = table.get(key)?.get_ref().as_str()?;
-        Some(format!(" --{} {value}", key.replace('_', "-")))
-    });
-    axes.chain(marks.iter().map(|mark| format!(" --mark {mark}"))).collect()
-}
-
 fn plane(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Plane> {
-    match reader.names(key, value, &Plane::ALL.map(|plane| (plane.name(), plane)))?[..] {
-        [plane] => Some(plane),
-        _ => reader.reject(key, value, "one plane"),
-    }
+    reader.one_named(key, value, &Plane::ALL.map(Plane::name), Plane::named)
 }
 
 fn curves(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Curve>> {
     let names: Vec<String> = Curve::ALL.iter().map(ToString::to_string).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let find = |text: &str| Curve::named(text).map(|curve| (curve, curve));
-    reader.named(key, value, &names, find)
+    reader.named(key, value, &names, Curve::named)
 }
 
 /// Key for an option of the command.
@@ -148,18 +124,14 @@ fn key(option: &str) -> String {
 
 /// The levels that a table names.
 fn contours(table: &mut TableReader) -> Option<Vec<Contour>> {
-    let before = table.reader.faults.len();
     let mut found = Vec::new();
-    for (field, value) in given(table) {
-        let Some(axis) = axis(table.reader, field, value, SINGLE) else { continue };
+    for axis in axes::axes(table, None, false)? {
         if axis.count > MAX_ITEMS {
-            let message = format!("a map has at most {MAX_ITEMS} lines of one {}", field.name());
-            table.reader.fault(value.span(), message);
-            continue;
+            let message =
+                format!("a map has at most {MAX_ITEMS} lines of one {}", axis.field.name());
+            return table.fitting(Err(Misfit { field: Some(axis.field), message }));
         }
-        for text in axis.texts {
-            let read = ArchGiven::part(&ArchAsked::of([(field, text.as_str())]));
-            let Some(of) = table.fitting(read) else { continue };
+        for of in axis.parts(table)? {
             found.extend(of.half_opening.map(Contour::HalfOpening));
             found.extend(of.thickness.map(Contour::Thickness));
             found.extend(of.friction.map(Contour::Friction));
@@ -167,7 +139,7 @@ fn contours(table: &mut TableReader) -> Option<Vec<Contour>> {
     }
     // In the order in which the command has them.
     found.sort_by_key(|of| matches!(of, Contour::Friction(_)));
-    table.is_well_since(before).then_some(found)
+    Some(found)
 }
 
 /// The largest half-width of a tube.

@@ -1,18 +1,16 @@
 //! Destinations of the items of a scene: each file inside the folder of outputs, and written by one item only.
 
-use super::fault::Position;
 use super::manifest;
 use super::schema::ItemKind;
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::report::Format;
 use crate::report::words::{distinct, list};
-use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 
-/// The files that the items so far write, and where the scene says so.
+/// The files that the items so far write, in small letters and as they are, with the lines where the scene says so.
 #[derive(Default)]
-pub(super) struct OutputFiles(HashMap<String, (PathBuf, Position)>);
+pub(super) struct OutputFiles(Vec<(PathBuf, PathBuf, usize)>);
 
 /// The file and the format of an item; a file name tells its format unless one is given.
 pub(super) fn output(
@@ -70,47 +68,34 @@ fn format_of(
 
 fn file(reader: &mut TomlReader, value: &TomlValue, files: &mut OutputFiles) -> Option<PathBuf> {
     let text = reader.text("output", value)?;
-    let inside =
-        |component: &Component| matches!(component, Component::Normal(_) | Component::CurDir);
-    let is_file = !text.is_empty()
-        && !text.ends_with(['/', '\\'])
+    let all = || Path::new(text).components();
+    let path: PathBuf = all().filter(|part| matches!(part, Component::Normal(_))).collect();
+    let is_file = !text.ends_with(['/', '\\'])
         && !text.contains(char::is_control)
-        && Path::new(text).components().all(|component| inside(&component));
-    let path: PathBuf = Path::new(text)
-        .components()
-        .filter(|component| matches!(component, Component::Normal(_)))
-        .collect();
-    if !is_file || path.as_os_str().is_empty() {
+        && all().all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
+        && !path.as_os_str().is_empty();
+    if !is_file {
         let allowed = "a file inside the folder of outputs (a relative path without ..)";
         return reader.reject("output", value, allowed);
     }
-    let mut fault = |reason: String| {
-        let shown = reader.source.shown(value.span());
-        reader.refuse(value.span(), format!("output {shown} {reason}"))
-    };
     // On some file systems names that differ in case are one.
-    let key = |path: &Path| path.to_string_lossy().to_lowercase();
-    if key(&path) == manifest::NAME {
-        return fault("is where the run keeps its own record".to_owned());
-    }
-    if let Some((other, at)) = files.0.get(&key(&path)) {
-        let reason = if *other == path {
-            format!("is already written by the item whose output is in line {}", at.line)
+    let key = PathBuf::from(path.to_string_lossy().to_lowercase());
+    let clash = files.0.iter().find_map(|(other, its, line)| {
+        if key == *other && path == *its {
+            Some(format!("is already written by the item whose output is in line {line}"))
+        } else if key == *other {
+            Some(format!("differs in case only from the output in line {line}"))
         } else {
-            format!("differs in case only from the output in line {}", at.line)
-        };
-        return fault(reason);
+            let is_within = key.starts_with(other) || other.starts_with(&key);
+            is_within
+                .then(|| format!("and the output in line {line} cannot be a file and its folder"))
+        }
+    });
+    let own = || Some("is where the run keeps its own record".to_owned());
+    if let Some(reason) = if key == Path::new(manifest::NAME) { own() } else { clash } {
+        let shown = reader.source.shown(value.span());
+        return reader.refuse(value.span(), format!("output {shown} {reason}"));
     }
-    let within = |inner: &Path, outer: &str| inner.ancestors().skip(1).any(|a| key(a) == outer);
-    let clash = files
-        .0
-        .iter()
-        .find(|(other, (file, _))| within(&path, other) || within(file, &key(&path)))
-        .map(|(_, (_, at))| at.line);
-    if let Some(line) = clash {
-        return fault(format!("and the output in line {line} cannot be a file and its folder"));
-    }
-    let place = reader.source.place(value.span().start);
-    files.0.insert(key(&path), (path.clone(), place));
+    files.0.push((key, path.clone(), reader.source.place(value.span().start).line));
     Some(path)
 }

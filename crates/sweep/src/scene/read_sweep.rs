@@ -1,13 +1,12 @@
 //! Reading from TOML to the plan of a sweep, or to everything that is wrong with it.
 
-use super::axes::{QUESTION, SINGLE, axes};
+use super::axes::axes;
 use super::fault::Fault;
-use super::read::text_of;
 use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven};
+use crate::ask::{ArchGiven, ArchQuestion};
 use crate::certify::MAX_DIGITS;
 use crate::problem::Quantity;
 use toml::de::{DeTable, DeValue};
@@ -19,26 +18,17 @@ const KEYS: [&str; 8] =
 
 /// Reads a plan from a file's bytes. Nothing is computed; the faults are all there are, in the order of the file.
 pub fn read_sweep(bytes: &[u8]) -> Result<SweepPlan, Vec<Fault>> {
-    let text = text_of(bytes, "a plan")?;
-    let mut reader = TomlReader::new(text);
-    let root = reader.parsed(text)?;
-    let plan = plan(&mut reader, root.get_ref());
-    match plan.filter(|_| reader.faults.is_empty()) {
-        Some(plan) => Ok(SweepPlan { notes: reader.notes, ..plan }),
-        None => Err(reader.sorted()),
-    }
+    let (plan, notes) = TomlReader::file(bytes, "a plan", SWEEP_SCHEMA, plan)?;
+    Ok(SweepPlan { notes, ..plan })
 }
 
 fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
-    if !reader.has_schema(root, SWEEP_SCHEMA, "a plan") {
-        return None;
-    }
     reader.unknown_keys(root, "a plan", &KEYS);
     let mut table = TableReader { reader, span: 0..0, table: root };
     let given = table.if_given("weight", TomlReader::weights);
     let quantities = match table.get("quantities") {
         None => Some(vec![Quantity::Thickness]),
-        Some(_) => table.chosen("quantities", &Quantity::STATE_ROW, Quantity::name),
+        Some(_) => table.quantities(&Quantity::STATE_ROW),
     };
     let digits = table.or("digits", SWEEP_DIGITS, |reader, key, value| {
         reader.whole(key, value, SWEEP_DIGITS..=MAX_DIGITS)
@@ -93,10 +83,8 @@ fn grid(table: &mut TableReader) -> Option<SweepArches> {
     let keys = ["half_opening", "friction", "friction_angle"];
     table.reader.unknown_keys(table.table, "[grid]", &keys);
     let (mut half_openings, mut frictions) = (Vec::new(), Vec::new());
-    for axis in axes(table, &QUESTION, SINGLE)? {
-        for text in axis.texts {
-            let read = ArchGiven::part(&ArchAsked::of([(axis.field, text.as_str())]));
-            let ArchGiven { half_opening, friction, .. } = table.fitting(read)?;
+    for axis in axes(table, Some(&ArchQuestion::ANY), false)? {
+        for ArchGiven { half_opening, friction, .. } in axis.parts(table)? {
             half_openings.extend(half_opening);
             frictions.extend(friction);
         }

@@ -2,10 +2,9 @@
 
 use super::computable::Done;
 use super::cost::{Cost, measured};
-use super::fault::Position;
 use super::item_report::ItemReport;
 use super::plan::Plan;
-use super::schema::{ItemKind, Request, Scene, SceneItem};
+use super::schema::{ItemKind, Request, Scene};
 use super::shared::Shared;
 use super::work::Work;
 use crate::picture::Print;
@@ -71,13 +70,7 @@ impl<'p> SceneRun<'p> {
 }
 
 /// The answer to one request, as that of a scene that asks for nothing else.
-pub fn answered(
-    kind: ItemKind,
-    what: Request,
-    (format, print): (&'static Format, &Print),
-) -> ItemReport {
-    let (place, print, output) = (Position { line: 1, column: 1 }, print.clone(), None);
-    let items = vec![SceneItem { place, kind, what, format, print, output }];
-    let scene = Scene { items, notes: Vec::new() };
+pub fn answered(kind: ItemKind, what: Request, how: (&'static Format, &Print)) -> ItemReport {
+    let scene = Scene::one(kind, what, how);
     SceneRun::new(&Plan::new(&scene, vec![false])).item(0, &|| ())
 }

@@ -38,24 +38,20 @@ pub struct SceneMap {
 impl SceneMap {
     /// Map of what was found to go together: the curves and the contours that are named; all curves where nothing is,
     /// and in a map that is drawn the usual contours of its plane, in a page those of every plane.
-    pub fn new(
-        asked: &MapAsked,
-        weights: &[SelfWeight],
-        (curves, contours): (&[Curve], Vec<Contour>),
-        tolerance: f64,
-        marks: Vec<Marked>,
-        command: String,
-    ) -> Self {
-        let MapAsked { format, lines, bare, asymmetric, axes, .. } = *asked;
+    pub fn new(asked: MapAsked, command: String) -> Self {
+        let plane = asked.plane();
+        let view = if asked.lines { View::Lines } else { View::Map(plane) };
+        let MapAsked { format, weights, curves, contours, lines, bare, asymmetric, axes, .. } =
+            asked;
         let is_drawn = format.is_picture || format.is_page();
         let is_whole = curves.is_empty() && (is_drawn || contours.is_empty() && !asymmetric);
         let has_contours = is_drawn && is_whole && !lines && !bare;
-        let planes = if format.is_page() { &Plane::ALL[..] } else { &[asked.plane()] };
+        let planes = if format.is_page() { &Plane::ALL[..] } else { &[plane] };
         let contours = match has_contours && contours.is_empty() {
             true => planes.iter().flat_map(|plane| plane.contours()).collect(),
             false => contours,
         };
-        let all = Curve::of_weights(weights).into_iter();
+        let all = Curve::of_weights(&weights).into_iter();
         let all = all.filter(|(_, curve)| is_whole || curves.contains(curve));
         let all = all.map(|(weight, curve)| (weight, MapLine::Curve(curve)));
         let of_each = |weight: &SelfWeight| {
@@ -64,10 +60,9 @@ impl SceneMap {
             lines.map(|line| (*weight, line)).collect::<Vec<_>>()
         };
         let lines = all.chain(weights.iter().flat_map(of_each)).collect();
-        let shown = if format.is_page() { weights } else { &[] };
+        let shown = if format.is_page() { &weights[..] } else { &[] };
         let landmarks = shown.iter().flat_map(|w| Landmark::ALL.map(|landmark| (landmark, *w)));
-        let view = if asked.lines { View::Lines } else { View::Map(asked.plane()) };
-        let (tolerance, axes) = (axes.tolerance(tolerance), *axes);
-        Self { lines, tolerance, landmarks: landmarks.collect(), view, axes, marks, command }
+        let (landmarks, tolerance) = (landmarks.collect(), axes.tolerance(asked.tolerance));
+        Self { lines, tolerance, landmarks, view, axes, marks: asked.marks, command }
     }
 }

@@ -4,7 +4,7 @@ use super::drawn::DrawnArch;
 use super::fault::{Fault, Position};
 use super::scene_map::SceneMap;
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, Field, SurveyGiven};
+use crate::ask::{ArchAsked, ArchGiven, Field};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
 use crate::picture::Print;
@@ -13,6 +13,7 @@ use crate::problem::measures::Measures;
 use crate::problem::{Landmark, Mode, Quantity};
 use crate::report::{
     Answers, Audit, Claims, Content, Format, Map, Reported, Sketched, Style, SurveyedRows,
+    Understood,
 };
 use std::path::PathBuf;
 
@@ -42,6 +43,15 @@ pub struct Scene {
     pub items: Vec<SceneItem>,
     /// Remarks on what is answered all the same.
     pub notes: Vec<Fault>,
+}
+
+impl Scene {
+    /// Scene that asks for nothing but this.
+    pub fn one(kind: ItemKind, what: Request, (format, print): (&'static Format, &Print)) -> Self {
+        let (place, print, output) = (Position { line: 1, column: 1 }, print.clone(), None);
+        let items = vec![SceneItem { place, kind, what, format, print, output }];
+        Self { items, notes: Vec::new() }
+    }
 }
 
 /// Something that is asked for, and where it goes.
@@ -158,10 +168,8 @@ pub struct SceneSurvey {
 /// A question whose ranges are cut into boxes.
 #[derive(Clone, Debug)]
 pub struct SceneBoxes {
-    /// The texts.
-    pub asked: ArchAsked,
-    /// The reading of the texts.
-    pub given: SurveyGiven,
+    /// The question as it is understood.
+    pub asked: Understood,
     /// Fields that are cut, with the numbers of parts.
     pub cut: Vec<(Field, usize)>,
     /// Columns of a table of them.
@@ -230,8 +238,8 @@ impl ItemKind {
             Self::Drawing => (
                 "drawing",
                 Sketched::content(),
-                "half_opening friction friction_angle thickness span rise radius measured_at density depth at mode weight amplitude dilatant half arrows \
-                 stones animate width font_size font caption full_caption title format output",
+                "half_opening friction friction_angle thickness span rise radius measured_at density depth at weight mode amplitude stones dilatant half \
+                 arrows animate width font_size font caption full_caption title format output",
             ),
         }
     }

@@ -1,10 +1,12 @@
 //! A table of TOML that is read key by key.
 
+use super::schema::ItemKind;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{Field, Misfit, notes};
 use crate::certify::MAX_DIGITS;
-use crate::problem::{Friction, Landmark};
+use crate::problem::{Friction, Landmark, Quantity};
+use std::hash::Hash;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeTable;
@@ -66,27 +68,62 @@ impl<'a, 's> TableReader<'a, 's> {
     }
 
     /// Members of a list that a key names, all without it, in the order of the list.
-    pub(super) fn chosen<T: Copy + PartialEq>(
+    pub(super) fn chosen<T: Copy + Eq + Hash>(
         &mut self,
         key: &str,
         all: &[T],
-        name: fn(T) -> &'static str,
+        names: &[&str],
+        find: impl Fn(&str) -> Option<T>,
     ) -> Option<Vec<T>> {
-        let known: Vec<_> = all.iter().map(|one| (name(*one), *one)).collect();
-        let read = |reader: &mut TomlReader, key: &str, value: &TomlValue| {
-            reader.names(key, value, &known)
-        };
-        let asked = self.or(key, all.to_vec(), read)?;
+        let asked =
+            self.or(key, all.to_vec(), |reader, key, value| reader.named(key, value, names, find))?;
         Some(all.iter().copied().filter(|one| asked.contains(one)).collect())
+    }
+
+    /// The quantities that the table names, of those that there are.
+    pub(super) fn quantities(&mut self, all: &[Quantity]) -> Option<Vec<Quantity>> {
+        let names: Vec<&str> = all.iter().map(|of| of.name()).collect();
+        let find = |name: &str| all.iter().copied().find(|of| of.name() == name);
+        self.chosen("quantities", all, &names, find)
     }
 
     /// The landmarks that a key names, by symbol or by long name.
     pub(super) fn landmarks(&mut self, key: &str) -> Option<Vec<Landmark>> {
-        let symbols = Landmark::ALL.map(|landmark| (landmark.symbol(), landmark));
-        let long_names = Landmark::ALL.map(|landmark| (landmark.long_name(), landmark));
-        let known = [symbols, long_names].concat();
-        let all = Landmark::ALL.to_vec();
-        self.or(key, all, |reader, key, value| reader.names(key, value, &known))
+        let names = [Landmark::symbol, Landmark::long_name].map(|name| Landmark::ALL.map(name));
+        self.chosen(key, &Landmark::ALL, &names.concat(), Landmark::named)
+    }
+
+    /// The command that asks for what an item of this kind does: each key is an option, said as the table has it or
+    /// otherwise.
+    pub(super) fn command(
+        &self,
+        mut command: String,
+        kind: ItemKind,
+        said: &[(&str, Vec<String>)],
+    ) -> String {
+        for key in kind.keys().into_iter().filter(|key| !["format", "output"].contains(key)) {
+            let value = Field::named(key).map_or_else(|| self.get(key), |of| self.given_field(of));
+            let texts = match (said.iter().find(|(of, _)| *of == key), value) {
+                (Some((_, texts)), _) => texts.clone(),
+                (None, Some(value)) => TomlReader::literals(value),
+                (None, None) => continue,
+            };
+            let option = match key {
+                "curves" | "marks" => key.trim_end_matches('s').to_owned(),
+                key => key.replace('_', "-"),
+            };
+            command.extend(texts.iter().map(|text| format!(" --{option} {}", quoted(text))));
+            match value.and_then(|value| value.get_ref().as_bool()) {
+                Some(false) if ["caption", "title"].contains(&key) => {
+                    command += &format!(" --no-{option}");
+                }
+                Some(true) if !["caption", "title"].contains(&key) => {
+                    command += &format!(" --{option}");
+                }
+                _ => {}
+            }
+        }
+        command
     }
 
     /// Value of a field of an arch, under its name or its letter.
@@ -120,5 +157,13 @@ impl<'a, 's> TableReader<'a, 's> {
     /// Tells whether nothing was wrong since there were so many faults.
     pub(super) fn is_well_since(&self, faults: usize) -> bool {
         self.reader.faults.len() == faults
+    }
+}
+
+/// Word of a command line.
+fn quoted(text: &str) -> String {
+    match text.contains(|c: char| c.is_whitespace() || "()'".contains(c)) {
+        true => format!("'{}'", text.replace('\'', "'\\''")),
+        false => text.to_owned(),
     }
 }

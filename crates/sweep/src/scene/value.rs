@@ -1,7 +1,7 @@
 //! TOML values of the types that a scene has; any other type is a fault.
 
 use super::fault::{Fault, SceneText};
-use super::schema::{DIGITS, RANGE_DIGITS};
+use super::schema::{DIGITS, MAX_BYTES, RANGE_DIGITS};
 use crate::arch::SelfWeight;
 use crate::ask::Field;
 use crate::report::words::{did_you_mean, list, shortened};
@@ -29,34 +29,49 @@ pub(super) struct TomlReader<'s> {
 }
 
 impl<'s> TomlReader<'s> {
-    pub(super) fn new(text: &'s str) -> Self {
-        let source = SceneText::new(text);
-        Self {
-            source,
+    /// Content of the bytes of a file of this kind and version, as `read` reads it, with remarks; or all that is wrong
+    /// with it, in the order of the file.
+    pub(super) fn file<T>(
+        bytes: &'s [u8],
+        kind: &str,
+        schema: &str,
+        read: impl FnOnce(&mut Self, &DeTable) -> Option<T>,
+    ) -> Result<(T, Vec<Fault>), Vec<Fault>> {
+        let text =
+            str::from_utf8(bytes).or_else(|error| str::from_utf8(&bytes[..error.valid_up_to()]));
+        let text = text.unwrap_or_default();
+        let mut reader = Self {
+            source: SceneText::new(text),
             faults: Vec::new(),
             notes: Vec::new(),
             digits: DIGITS,
             range_digits: RANGE_DIGITS,
             weights: None,
+        };
+        let found = if bytes.len() > MAX_BYTES {
+            reader.refuse(0..0, format!("{kind} has at most {MAX_BYTES} bytes"))
+        } else if text.len() < bytes.len() {
+            reader.refuse(text.len()..text.len(), "not TOML: this is not valid UTF-8")
+        } else {
+            let (root, errors) = DeTable::parse_recoverable(text);
+            for error in &errors {
+                let message = format!("not TOML: {}", error.message().replace('\n', " "));
+                reader.fault(error.span().unwrap_or(0..0), message);
+            }
+            let is_read = errors.is_empty() && reader.has_schema(root.get_ref(), schema, kind);
+            if is_read { read(&mut reader, root.get_ref()) } else { None }
+        };
+        let Self { mut faults, notes, .. } = reader;
+        if let Some(found) = found.filter(|_| faults.is_empty()) {
+            return Ok((found, notes));
         }
-    }
-
-    /// The table that the text is, or what is wrong with it as TOML.
-    pub(super) fn parsed<'t>(&mut self, text: &'t str) -> Result<Spanned<DeTable<'t>>, Vec<Fault>> {
-        let (root, errors) = DeTable::parse_recoverable(text);
-        if errors.is_empty() {
-            return Ok(root);
-        }
-        for error in errors {
-            let span = error.span().unwrap_or(0..0);
-            self.fault(span, format!("not TOML: {}", error.message().replace('\n', " ")));
-        }
-        self.sort();
-        Err(std::mem::take(&mut self.faults))
+        faults.sort();
+        faults.dedup();
+        Err(faults)
     }
 
     /// Tells whether a file is of the version that is read here: of another nothing can be said.
-    pub(super) fn has_schema(&mut self, root: &DeTable, schema: &str, what: &str) -> bool {
+    fn has_schema(&mut self, root: &DeTable, schema: &str, what: &str) -> bool {
         match root.get("schema") {
             Some(value) if value.get_ref().as_str() == Some(schema) => true,
             Some(value) => {
@@ -68,17 +83,6 @@ impl<'s> TomlReader<'s> {
                 true
             }
         }
-    }
-
-    fn sort(&mut self) {
-        self.faults.sort();
-        self.faults.dedup();
-    }
-
-    /// The faults in the order of the file, each once.
-    pub(super) fn sorted(mut self) -> Vec<Fault> {
-        self.sort();
-        self.faults
     }
 
     pub(super) fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
@@ -151,6 +155,15 @@ impl<'s> TomlReader<'s> {
         }
     }
 
+    /// The texts of a number, of a text, or of a list of them.
+    pub(super) fn literals(value: &TomlValue) -> Vec<String> {
+        let all = match value.get_ref() {
+            DeValue::Array(all) => all.iter().filter_map(Self::literal).collect(),
+            _ => Vec::from_iter(Self::literal(value)),
+        };
+        all.into_iter().map(str::to_owned).collect()
+    }
+
     /// A double in a range.
     pub(super) fn double(
         &mut self,
@@ -220,46 +233,43 @@ impl<'s> TomlReader<'s> {
         (self.faults.len() == before).then_some(found)
     }
 
-    /// Names, each once: a list or one by itself. `None` if any is wrong.
-    pub(super) fn names<T: Copy + PartialEq>(
-        &mut self,
-        key: &str,
-        value: &TomlValue,
-        known: &[(&str, T)],
-    ) -> Option<Vec<T>> {
-        let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
-        let place = |text: &str| {
-            let named = known.iter().find(|(name, _)| *name == text)?.1;
-            // Of a thing that has two names the first.
-            let place = known.iter().position(|(_, other)| *other == named)?;
-            Some((place, named))
-        };
-        self.named(key, value, &names, place)
-    }
-
-    /// Values that `find` finds by name, each once by the key beside it. `None` if any is wrong.
-    pub(super) fn named<K: Eq + Hash, T>(
+    /// Values of these names, each once: a list, or one by itself. `None` if any is wrong.
+    pub(super) fn named<T: Copy + Eq + Hash>(
         &mut self,
         key: &str,
         value: &TomlValue,
         names: &[&str],
-        find: impl Fn(&str) -> Option<(K, T)>,
+        find: impl Fn(&str) -> Option<T>,
     ) -> Option<Vec<T>> {
         let allowed = format!("one of {}", list(names.iter().copied()));
         self.each_once(key, value, &allowed, |reader, element| {
             let text = element.get_ref().as_str();
-            text.and_then(&find).or_else(|| {
+            text.and_then(&find).map(|found| (found, found)).or_else(|| {
                 let hint = text.map_or(String::new(), |text| did_you_mean(text, names));
                 reader.reject(key, element, &format!("{allowed}{hint}"))
             })
         })
     }
 
+    /// Value of one of these names.
+    pub(super) fn one_named<T: Copy + Eq + Hash>(
+        &mut self,
+        key: &str,
+        value: &TomlValue,
+        names: &[&str],
+        find: impl Fn(&str) -> Option<T>,
+    ) -> Option<T> {
+        match self.named(key, value, names, find)?[..] {
+            [one] => Some(one),
+            _ => self.reject(key, value, "one of them"),
+        }
+    }
+
     /// The weights named, or both.
     pub(super) fn weights(&mut self, key: &str, value: &TomlValue) -> Option<Vec<SelfWeight>> {
         match value.get_ref().as_str() {
             Some("both") => Some(SelfWeight::ALL.to_vec()),
-            _ => self.names(key, value, &SelfWeight::ALL.map(|weight| (weight.name(), weight))),
+            _ => self.named(key, value, &SelfWeight::ALL.map(SelfWeight::name), SelfWeight::named),
         }
     }
 }

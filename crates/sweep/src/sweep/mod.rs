@@ -5,7 +5,7 @@
 //! | `record` | what a sweep is, in one form; its name |
 //! | `cost` | how many rows make a part |
 //! | `queries`, `query` | the rows of a part as they are asked |
-//! | `text`, `pieces` | the pieces of the files of a data set |
+//! | `text` | the pieces of the files of a data set |
 //! | `table` | rows of a part by columns |
 //! | `notes`, `read` | a part as a Parquet file: on itself, as it is looked through |
 //! | `store`, `part_name` | the folder of the parts, and their names |
@@ -17,7 +17,6 @@ mod cost;
 mod new_file;
 mod notes;
 mod part_name;
-mod pieces;
 mod queries;
 mod query;
 mod read;

@@ -2,10 +2,11 @@
 
 use crate::certify::batch::RowVerdict;
 use crate::scene::SWEEP_SCHEMA;
+use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::reader::{FileReader, SerializedFileReader};
-use std::collections::BTreeMap;
 use std::fs::File;
 use std::ops::Range;
+use std::path::Path;
 
 /// Notes of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,23 +30,18 @@ impl Notes {
         own.into_iter().chain(counts)
     }
 
-    /// Notes of a file; none if it is no part of a sweep, or has other rows than it says.
-    pub(super) fn of(file: &File) -> Option<Self> {
-        let reader = SerializedFileReader::new(file.try_clone().ok()?).ok()?;
-        let notes = reader.metadata().file_metadata().key_value_metadata()?;
-        let notes: BTreeMap<&str, &str> =
-            notes.iter().filter_map(|n| Some((n.key.as_str(), n.value.as_deref()?))).collect();
-        let (start, end) = notes.get("couplet.rows")?.split_once("..")?;
-        let rows = start.parse::<u64>().ok()?..end.parse().ok()?;
-        let mut counts = [0; 4];
-        for verdict in RowVerdict::ALL {
-            counts[verdict as usize] =
-                notes.get(format!("couplet.{}", verdict.name()).as_str())?.parse().ok()?;
-        }
-        let length = rows.end.checked_sub(rows.start)?;
-        let whole = u64::try_from(reader.metadata().file_metadata().num_rows()) == Ok(length)
-            && notes.get("couplet.schema") == Some(&SWEEP_SCHEMA);
-        let plan = (*notes.get("couplet.plan")?).to_owned();
-        whole.then_some(Self { plan, rows, counts })
+    /// Tells whether a file has these notes, and as many rows as they say.
+    pub(super) fn are_of(&self, path: &Path) -> bool {
+        let reader = File::open(path).ok().and_then(|file| SerializedFileReader::new(file).ok());
+        let Some(reader) = reader else { return false };
+        let there = reader.metadata().file_metadata();
+        let is_there = |(key, text): (&str, String)| {
+            let is = |n: &KeyValue| {
+                n.key.strip_prefix("couplet.") == Some(key) && n.value.as_ref() == Some(&text)
+            };
+            there.key_value_metadata().is_some_and(|all| all.iter().any(is))
+        };
+        u64::try_from(there.num_rows()) == Ok(self.rows.end - self.rows.start)
+            && self.entries().all(is_there)
     }
 }

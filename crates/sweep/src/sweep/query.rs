@@ -5,7 +5,6 @@ use crate::certify::batch::{BatchArches, InLanes, SharedOpening, grouped};
 use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction};
 use crate::report::{GivenDoubles, Texts};
-use crate::rows::{ArchReader, Cells};
 use ::parquet::data_type::ByteArray;
 use std::borrow::Cow;
 
@@ -126,14 +125,6 @@ impl Listed {
         self.doubles[0].push(arch.half_opening().nearest_double());
         self.doubles[1].push(friction);
         self.arches.push(Ok(arch));
-    }
-
-    /// Adds a row of a data set.
-    pub(super) fn push_row(&mut self, reader: &ArchReader, cells: &Cells) {
-        match reader.arch(cells) {
-            Ok(arch) => self.push(arch),
-            Err(error) => self.refuse(&reader.described(cells), error),
-        }
     }
 
     /// Adds a row that cannot be read, with its texts as they are.

@@ -5,11 +5,10 @@
 use super::new_file::{self, NewFile};
 use super::notes::Notes;
 use super::part_name::{PartName, SHOWN};
-use super::pieces::hash_of_pieces;
 use super::record::{SweepRecord, VERSION};
 use crate::failure::Failure;
 use crate::report::words::shortened;
-use crate::scene::record_bytes;
+use crate::scene::{content_of, record_bytes};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -242,15 +241,11 @@ impl Store {
             let mut is_ours = name.is_of(&self.plan, rows.end - rows.start);
             let mut is_written = *bytes == name.bytes;
             if is_written && (reads || files.len() > 1) {
-                let mut file = File::open(&whole).map_err(failed)?;
-                is_written = name.has(&hash_of_pieces(&mut file, &[(0, *bytes)]).map_err(failed)?);
+                is_written = name.has(&content_of(&whole).map_err(failed)?);
                 // Only what has the hash of its name is looked into.
-                let notes = if is_written { Notes::of(&file) } else { None };
-                is_ours &= !is_written
-                    || notes.is_some_and(|notes| {
-                        (&notes.plan, &notes.rows) == (&self.plan, rows)
-                            && notes.counts == name.counts
-                    });
+                let notes =
+                    || Notes { plan: self.plan.clone(), rows: rows.clone(), counts: name.counts };
+                is_ours &= !is_written || notes().are_of(&whole);
             }
             match (is_ours, is_written) {
                 (false, _) => return Ok(PartState::Foreign(path.clone())),

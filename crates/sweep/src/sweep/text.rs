@@ -1,18 +1,18 @@
 //! Pieces of a file of a data set, a table of text or JSON lines: a piece is read without the rest of the file, and its
 //! hash says whether it still is what it was.
 
-use super::pieces::{CHANGED, FORCES, LEAST, OF_FORCES, asks_states, bytes_of, hash_of_pieces};
 use super::query::Listed;
 use crate::arch::SelfWeight;
+use crate::ask::Field;
 use crate::check::reason;
 use crate::rows::{
-    ArchReader, BYTE_ORDER_MARK, Cells, Columns, GivenRows, JsonRows, Keep, Purpose, Role,
-    TextTable,
+    ArchReader, BYTE_ORDER_MARK, Columns, GivenRows, Keep, Purpose, ReadRow, Role, TextRows,
+    json_lines,
 };
 use crate::scene::hash_of;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
-use std::io::{self, BufRead, BufReader, Cursor, Seek, SeekFrom};
+use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
 use std::iter;
 use std::path::Path;
 
@@ -69,80 +69,62 @@ fn is_text(beginning: &[u8]) -> Result<(), String> {
     }
 }
 
-/// The rows of a file, one after the other.
-enum TextRows {
-    Table(TextTable),
-    Lines(JsonRows),
+/// The rows of a table, or of lines of JSON.
+fn open(mut input: impl BufRead + Send + 'static) -> Result<TextRows, String> {
+    let first = input.fill_buf().map_err(|error| reason(&error))?.trim_ascii_start().first();
+    if matches!(first, Some(b'{' | b'[')) {
+        return json_lines(Box::new(input)).ok_or_else(|| {
+            "it is JSON without an object on each line, which a sweep reads: jq -c '.[]' makes lines of a list"
+                .to_owned()
+        });
+    }
+    let table = TextRows::open(Box::new(input)).map_err(|error| error.to_string())?;
+    let mut columns = Columns::own(Purpose::Ask);
+    columns.places(&table.header)?;
+    asks_states(|role| columns.all.iter().any(|column| column.role == role))?;
+    Ok(table)
 }
 
-impl TextRows {
-    /// The rows of a table, or of lines of JSON.
-    fn open(mut input: impl BufRead + Send + 'static) -> Result<Self, String> {
-        let first = input.fill_buf().map_err(|error| reason(&error))?.trim_ascii_start().first();
-        if matches!(first, Some(b'{' | b'[')) {
-            let lines = JsonRows::open(Box::new(input));
-            return lines.map(Self::Lines).ok_or_else(|| {
-                "it is JSON without an object on each line, which a sweep reads: jq -c '.[]' makes lines of a list"
-                    .to_owned()
-            });
-        }
-        let table = TextTable::open(Box::new(input)).map_err(|error| error.to_string())?;
-        asks_states(&table.header)?;
-        Ok(Self::Table(table))
-    }
-
-    fn begin(&mut self) -> (u64, u64) {
-        match self {
-            Self::Table(table) => table.begin(),
-            Self::Lines(lines) => lines.begin(),
+/// The next rows, at most so many, and their lines.
+fn listed(rows: TextRows, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, Listed), String> {
+    let (columns, keep) = (Columns::own(Purpose::Ask), Keep::Named(Vec::new()));
+    let GivenRows { columns, spelling, rows, .. } = GivenRows::of_text(rows, columns, keep)?;
+    let reader = ArchReader { columns, weight, doubles: false, spelling };
+    let (mut lines, mut listed) = (Vec::new(), Listed::default());
+    for (line, row) in rows.take(most) {
+        lines.push(line);
+        let mut texts = Default::default();
+        let arch = row.and_then(|ReadRow { cells, .. }| {
+            asks_states(|role| reader.given(&cells, role).is_some())?;
+            texts = reader.described(&cells);
+            reader.arch(&cells)
+        });
+        match arch {
+            Ok((arch, ..)) => listed.push(arch),
+            Err(error) => listed.refuse(&texts, error),
         }
     }
-
-    fn looked(&self) -> u64 {
-        match self {
-            Self::Table(table) => table.looked(),
-            Self::Lines(lines) => lines.looked(),
-        }
-    }
-
-    /// Goes past the next row, if there is one.
-    fn pass(&mut self) -> Option<()> {
-        match self {
-            Self::Table(table) => table.pass().map(drop),
-            Self::Lines(lines) => lines.next().map(drop),
-        }
-    }
-
-    /// The next rows, at most so many, and their lines.
-    fn listed(self, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, Listed), String> {
-        let (columns, keep) = (Columns::own(Purpose::Ask), Keep::Named(Vec::new()));
-        let GivenRows { columns, spelling, rows, .. } = match self {
-            Self::Table(table) => GivenRows::of_table(table, columns, &keep)?,
-            Self::Lines(lines) => GivenRows::of_objects(lines, columns, keep),
-        };
-        let reader = ArchReader { columns, weight, doubles: false, spelling };
-        let (mut lines, mut listed) = (Vec::new(), Listed::default());
-        for (line, row) in rows.take(most) {
-            lines.push(line);
-            match row.and_then(|row| of_state(&reader, row.cells)) {
-                Ok(cells) => listed.push_row(&reader, &cells),
-                Err(error) => listed.refuse(&Default::default(), error),
-            }
-        }
-        Ok((lines, listed))
-    }
+    Ok((lines, listed))
 }
 
-/// The cells of a row that asks for nothing but a state.
-fn of_state(reader: &ArchReader, cells: Cells) -> Result<Cells, String> {
-    let has = |role| reader.given(&cells, role).is_some();
-    match has(Role::GivenThickness) {
-        true => Err(format!("it has a thickness; {LEAST}")),
-        false if OF_FORCES.into_iter().any(has) => {
-            Err(format!("it has a density or a depth; {FORCES}"))
-        }
-        false => Ok(cells),
-    }
+/// Refuses what asks for more than states, by the roles that it has.
+fn asks_states(has: impl Fn(Role) -> bool) -> Result<(), String> {
+    let (what, why) = if has(Role::GivenThickness) {
+        ("thickness", "asks for the least one")
+    } else if [Field::Density, Field::Depth].map(Role::Size).into_iter().any(has) {
+        ("density or a depth", "has no forces")
+    } else {
+        return Ok(());
+    };
+    Err(format!("it has a {what}; a sweep {why}, and `couplet states` answers both"))
+}
+
+/// Some bytes of a file.
+fn bytes_of(file: &mut File, offset: u64, length: u64) -> io::Result<Vec<u8>> {
+    file.seek(SeekFrom::Start(offset))?;
+    let mut bytes = Vec::new();
+    file.take(length).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 /// The pieces of a file, with at most so many rows each, and the head of a table; or what is wrong with the file.
@@ -156,8 +138,8 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<(Option<Head>, Vec<TextSl
     is_text(&bytes_of(&mut file, 0, BEGINNING).map_err(read)?)?;
     let start = start(&mut file).map_err(read)?;
     file.seek(SeekFrom::Start(start)).map_err(read)?;
-    let mut all = TextRows::open(BufReader::new(file.try_clone().map_err(read)?))?;
-    let head = if let TextRows::Table(table) = &all { Some(table.looked()) } else { None };
+    let mut all = open(BufReader::new(file.try_clone().map_err(read)?))?;
+    let head = all.is_table().then(|| all.looked());
     let mut pieces = Vec::new();
     loop {
         let (line, offset) = all.begin();
@@ -166,7 +148,9 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<(Option<Head>, Vec<TextSl
             rows => pieces.push((rows, line, start + offset, all.looked() - offset)),
         }
     }
-    let mut hash = |offset, bytes| hash_of_pieces(&mut file, &[(offset, bytes)]).map_err(read);
+    let mut hash = |offset, length| {
+        bytes_of(&mut file, offset, length).map(|bytes| hash_of(&bytes)).map_err(read)
+    };
     let head = match head {
         Some(bytes) => Some(Head { offset: start, bytes, sha256: hash(start, bytes)? }),
         None => None,
@@ -188,21 +172,23 @@ pub(super) fn read(
     let mut input = |offset, length, sha256: &str| {
         let bytes = bytes_of(&mut file, offset, length).map_err(|error| reason(&error))?;
         let is_same = hash_of(&bytes) == sha256;
-        is_same.then(|| Box::new(Cursor::new(bytes))).ok_or_else(|| CHANGED.to_owned())
+        is_same.then(|| Box::new(Cursor::new(bytes))).ok_or_else(|| {
+            "it has changed since the sweep began; run again for a new one".to_owned()
+        })
     };
     let rows = match head {
         Some(head) => {
-            let table = TextTable::open(input(head.offset, head.bytes, &head.sha256)?);
+            let table = TextRows::open(input(head.offset, head.bytes, &head.sha256)?);
             let table = table.map_err(|error| error.to_string())?;
             let rows = input(slice.offset, slice.bytes, &slice.sha256)?;
-            TextRows::Table(table.with_rows(rows, slice.line))
+            table.with_rows(rows, slice.line)
         }
         None => {
             let rows = input(slice.offset, slice.bytes, &slice.sha256)?;
-            TextRows::Lines(JsonRows::new(rows, slice.line))
+            TextRows::of_objects(rows, slice.line)
         }
     };
-    let (lines, listed) = rows.listed(slice.rows as usize, weight)?;
+    let (lines, listed) = listed(rows, slice.rows as usize, weight)?;
     match lines.len() as u64 == slice.rows {
         true => Ok((lines, listed)),
         false => Err(format!(
@@ -249,7 +235,7 @@ mod tests {
     /// The rows of a text as one reader has them.
     fn at_once(text: &str) -> Result<Told, String> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text).to_owned();
-        TextRows::open(Cursor::new(text))?.listed(usize::MAX, SelfWeight::Heyman).map(told)
+        listed(open(Cursor::new(text))?, usize::MAX, SelfWeight::Heyman).map(told)
     }
 
     fn is_the_same_in_pieces(text: &str) -> Told {

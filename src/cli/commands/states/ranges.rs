@@ -14,10 +14,6 @@ use crate::sweep::rows::{ArchReader, Cells, Numbered, ReadRow, Role};
 use crate::sweep::surveyed::{of_rows, surveyed};
 use std::io;
 
-/// Question of every row.
-const QUESTION: ArchQuestion =
-    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
-
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(format) = arguments.format {
         is_written("the answer of a range", Content::RANGES, format)?;
@@ -86,7 +82,7 @@ fn found(
     (quantities, digits): (&[Quantity], usize),
 ) -> Result<SurveyedArches, String> {
     let (weight, asked) = reader.ranged(cells)?;
-    let given = SurveyGiven::read(&QUESTION, &asked, Spelling::Key);
+    let given = SurveyGiven::read(&ArchQuestion::ANY, &asked, Spelling::Key);
     let given = given.map_err(|misfit| misfit.message)?;
     surveyed(&asked, &given, weight, (quantities, digits)).map_err(|error| error.to_string())
 }
