@@ -88,15 +88,15 @@ impl ArchQuestion {
                 format!("{} does not belong here: {why}", name(*field)),
             ));
         }
-        let [alpha, span, rise, radius] = ARC.map(name);
         if let Some((one, other)) = INSTEAD.into_iter().find(|(a, b)| has(*a) && has(*b)) {
             let message =
                 format!("{} and {} say the same: give one of them", name(one), name(other));
             return Err(Misfit::new(other, message));
         }
-        let of_arc = ARC.into_iter().chain([Field::Joints]).filter(|field| has(*field));
-        if let [one @ (Field::Span | Field::Rise)] = of_arc.collect::<Vec<_>>()[..] {
-            let other = if one == Field::Span { &rise } else { &span };
+        let mut of_arc = ARC.into_iter().chain([Field::Joints]).filter(|field| has(*field));
+        if let (Some(one @ (Field::Span | Field::Rise)), None) = (of_arc.next(), of_arc.next()) {
+            let other = name(if one == Field::Span { Field::Rise } else { Field::Span });
+            let [alpha, radius] = [Field::HalfOpening, Field::Radius].map(name);
             let message = format!("{} needs {other}, {radius} or {alpha}", name(one));
             return Err(Misfit::new(one, message));
         }
@@ -110,6 +110,7 @@ impl ArchQuestion {
                 Field::Density => "forces need".to_owned(),
                 _ => format!("{} needs", name(sized)),
             };
+            let [span, rise, radius] = [Field::Span, Field::Rise, Field::Radius].map(name);
             let message = format!("{what} a size: give {span} and {rise}, or {radius}");
             return Err(Misfit::new(sized, message));
         }

@@ -1,6 +1,6 @@
 //! Numbers as other programs spell them, made into exact text that every command reads.
 
-use crate::number::{BETWEEN, PLUS_MINUS, is_range, of_fortran, spelt_range};
+use crate::number::{BETWEEN, PLUS_MINUS, is_plain, is_range, of_fortran, spelt_range};
 use std::borrow::Cow;
 
 /// Spelling of the numbers of a file.
@@ -33,6 +33,9 @@ impl NumberStyle {
 
     /// Respells a number or each part of a range; parts without a unit have that of their column.
     pub fn exact_range(self, text: &str, unit: &str) -> String {
+        if is_plain(text) {
+            return self.exact(text).into_owned() + unit;
+        }
         if !self.decimal_comma && unit.is_empty() && is_range(text) {
             return text.trim().to_owned();
         }
