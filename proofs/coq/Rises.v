@@ -5,56 +5,7 @@
 
 From Coq Require Import Ranalysis5.
 From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
-From Couplet Require Import Surveys Mechanisms Room Attained IntervalZ.
-
-Definition slenderness (eta : R) : R := 2 * eta / (2 + eta).
-Definition centroids (delta tau : R) : R := 1 - tau / 2 + delta * tau ^ 2 / (6 * (2 - tau)).
-
-(** The thrust that a haunch asks for, (2). *)
-Definition asked (delta x tau : R) : R :=
-  ((1 - tau) * (x * sin x) - centroids delta tau * (1 - cos x)) / (1 - cos x + tau * cos x).
-
-Lemma slenderness_between (eta : R) : 0 < eta <= 2 -> 0 < slenderness eta <= 1.
-Proof.
-  intros He. assert (E : 1 - slenderness eta = (2 - eta) / (2 + eta)) by (unfold slenderness; field; lra).
-  assert (0 <= (2 - eta) / (2 + eta)) by (apply Rdiv_le_0_compat; lra). split; [apply Rdiv_lt_0_compat |]; lra.
-Qed.
-
-Lemma scaled_radii (delta eta : R) : 0 < eta -> intrados eta = extrados eta * (1 - slenderness eta) /\
-  fac delta eta = extrados eta * centroids delta (slenderness eta) /\ 0 < extrados eta.
-Proof.
-  intros He. unfold intrados, extrados, fac, centroids, slenderness.
-  repeat split; [field; lra | field; split; lra | lra].
-Qed.
-
-Lemma joint_scaled (delta x eta h q : R) : 0 < eta -> let tau := slenderness eta in
-  joint_stands delta x eta h (extrados eta * q) <-> 0 <= normal_force x h /\
-    (1 - tau) * normal_force x h <= q + centroids delta tau * (1 - cos x) <= normal_force x h.
-Proof.
-  intros He tau. destruct (scaled_radii delta eta He) as (Ei & Ef & Hp). unfold joint_stands. rewrite Ei, Ef.
-  fold tau. set (N := normal_force x h). set (g := centroids delta tau). set (V := 1 - cos x).
-  replace (extrados eta * q + extrados eta * g * V) with (extrados eta * (q + g * V)) by ring.
-  rewrite Rmult_assoc. split; intros (HN & Hin & Hout); repeat split; try easy;
-    first [apply Rmult_le_compat_l | apply (Rmult_le_reg_l (extrados eta))]; lra.
-Qed.
-
-(** ** What grows *)
-
-Lemma grows (f f' : R -> R) (x : R) : 0 < x -> (forall c, 0 <= c <= x -> is_derive f c (f' c)) ->
-  (forall c, 0 < c < x -> 0 < f' c) -> f 0 < f x.
-Proof.
-  intros Hx Hd Hp. destruct (MVT_cor2 f f' 0 x Hx) as (c & Hc & Hin); [intros; now apply is_derive_Reals, Hd |].
-  assert (0 < f' c * (x - 0)) by (apply Rmult_lt_0_compat; [apply Hp |]; lra). lra.
-Qed.
-
-Ltac growing := let c := fresh "c" in intros c ?; auto_derive; [try easy | try field; try easy].
-
-Lemma lag_positive (x : R) : 0 < x < PI -> 0 < 2 * (1 - cos x) - x * sin x.
-Proof.
-  intros Hx. assert (H := grows (fun t => 2 * (1 - cos t) - t * sin t) (fun t => sin t - t * cos t) x ltac:(lra)).
-  cbv beta in H. rewrite sin_0, cos_0 in H. enough (2 * (1 - 1) - 0 * 0 < 2 * (1 - cos x) - x * sin x) by lra.
-  apply H; [growing |]. intros c Hc. assert (K := times_cosine_below_sine c ltac:(lra)). lra.
-Qed.
+From Couplet Require Import Surveys Mechanisms Thrusts Room Attained IntervalZ.
 
 (** Cusa's inequality. *)
 Lemma cusa (x : R) : 0 < x < PI -> 3 * sin x < x * (2 + cos x).
@@ -82,11 +33,6 @@ Qed.
 Lemma versine_grows (a b : R) : 0 <= a -> a < b -> b <= PI -> 1 - cos a < 1 - cos b.
 Proof. intros. assert (cos b < cos a) by (apply cos_decreasing_1; lra). lra. Qed.
 
-Lemma normal_force_by_A (a h : R) : 0 < a < PI -> normal_force a h = h + (A a - h) * (1 - cos a).
-Proof.
-  intros Ha. assert (0 < 1 - cos a) by (apply versine_positive; lra). unfold normal_force, A. field. lra.
-Qed.
-
 (** ** Rotation *)
 
 Lemma quotient_falls (n d d' : R) : 0 <= n -> 0 < d' <= d -> n / d <= n / d'.
@@ -95,15 +41,6 @@ Proof. intros Hn Hd. apply Rmult_le_compat_l; [easy |]. apply Rinv_le_contravar;
 Section Ring.
 
 Variable delta : R. Hypothesis flag : 0 <= delta <= 1.
-
-Lemma haunch_signs (x tau : R) : 0 <= x <= PI / 2 -> 0 < tau <= 1 -> 0 <= cos x /\ 0 <= 1 - cos x /\
-  1 - cos x <= x * sin x /\ 0 <= 2 * (1 - cos x) - x * sin x /\ 0 < 1 - cos x + tau * cos x.
-Proof.
-  intros Hx Ht. assert (HC : 0 <= cos x) by (apply cos_ge_0; lra). destruct (COS_bound x).
-  assert (M := moment_of_weight_grows 0 x ltac:(lra) ltac:(lra) ltac:(lra)). rewrite sin_0, cos_0 in M.
-  repeat split; try lra; [|nra]. destruct (Req_dec x 0) as [-> | Hne]; [rewrite sin_0, cos_0; lra |].
-  apply Rlt_le, lag_positive. lra.
-Qed.
 
 (** What a haunch asks of [A], [asked + centroids], lacks the less of 2 the thinner the ring is. *)
 Lemma lack_of_haunch_falls (x tau tau' : R) : 0 <= x <= PI / 2 -> 0 < tau' <= tau -> tau <= 1 ->
@@ -225,14 +162,8 @@ Lemma growth_of_asked (x tau : R) : 0 <= x <= PI / 2 -> 0 < tau <= 1 ->
   asked delta x tau < 1 /\ 0 < 1 - asked delta x tau + tau / 2 + tau * asked_slope x tau.
 Proof.
   intros Hx Ht. destruct (haunch_signs x tau Hx Ht) as (HC & Hv & Hb & Hl & Hw).
-  set (P := 2 * (1 - cos x) - x * sin x + tau * (cos x + x * sin x - (1 - cos x) / 2)
-    + delta * tau ^ 2 / (6 * (2 - tau)) * (1 - cos x)). set (w := 1 - cos x + tau * cos x) in *.
-  assert (HP : 0 < P).
-  { assert (0 <= delta * tau ^ 2 / (6 * (2 - tau)) * (1 - cos x))
-      by (apply Rmult_le_pos; [apply Rdiv_le_0_compat; nra | easy]).
-    assert (0 < tau * (cos x + x * sin x - (1 - cos x) / 2)) by (apply Rmult_lt_0_compat; lra). unfold P. lra. }
-  assert (E : asked delta x tau = 1 - P / w) by (unfold asked, centroids, P, w in *; field; lra).
-  assert (HPw : 0 < P / w) by now apply Rdiv_lt_0_compat. split; [lra |].
+  destruct (lack_of_asked delta flag x tau Hx Ht) as [E HPw]. cbv zeta in E, HPw.
+  set (P := 2 * (1 - cos x) - x * sin x + _ + _) in *. set (w := 1 - cos x + tau * cos x) in *. split; [lra |].
   assert (E' : 1 - asked delta x tau + tau / 2 + tau * asked_slope x tau = (2 * (1 - cos x) - x * sin x) / w
     + tau * cos x * (P / w) / w + (tau / 2 - delta * (tau / (2 - tau)) ^ 2 / 3 * ((1 - cos x) / w))).
   { unfold asked_slope. rewrite E. unfold P, w in *. field. lra. }
@@ -264,7 +195,7 @@ Proof.
   apply H; [unfold f1; growing |]. intros c Hc. apply H1. lra.
 Qed.
 
-Lemma haunch_is_thin_lemma (x : R) : 0 < x <= PI / 2 ->
+Lemma versine_against_slope (x : R) : 0 < x <= PI / 2 ->
   0 <= (x ^ 2 / 2 - x ^ 4 / 12) * cos x + (x * sin x - (1 - cos x) / 2) * x ^ 2 / 2 - x * sin x + 1 - cos x.
 Proof.
   intros Hx. destruct (Rle_lt_dec x 1) as [Hx1 | Hx1].
@@ -283,7 +214,7 @@ Lemma thrust_of_a_thin_haunch (x tau : R) : 0 < x <= PI / 2 -> 0 < tau <= 1 ->
   asked delta x tau * (tau + x ^ 2 / 2) <= x ^ 2 / 2 - x ^ 4 / 12.
 Proof.
   intros Hx Ht. destruct (haunch_signs x tau ltac:(lra) Ht) as (HC & Hv & Hb & _ & Hw).
-  assert (H0 := versine_against_sine x Hx). assert (H1 := haunch_is_thin_lemma x Hx).
+  assert (H0 := versine_against_sine x Hx). assert (H1 := versine_against_slope x Hx).
   apply (Rmult_le_reg_r (1 - cos x + tau * cos x)); [easy |].
   assert (E : asked delta x tau * (1 - cos x + tau * cos x) = (1 - tau) * (x * sin x) - (1 - tau / 2) * (1 - cos x)
     - delta * tau ^ 2 / (6 * (2 - tau)) * (1 - cos x)) by (unfold asked, centroids; field; lra).
@@ -411,17 +342,6 @@ Proof.
     by (rewrite Hzero; field; lra). assert (0 < - f (z - k) / k) by (apply Rdiv_lt_0_compat; lra). lra.
 Qed.
 
-Lemma outward_gap_with_less_thrust (x mu h h0 : R) : 0 < x < PI -> 0 < mu -> 0 <= h < h0 ->
-  0 <= outward_gap x mu h0 -> 0 < outward_gap x mu h.
-Proof.
-  intros Hx Hmu Hh H0. assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
-  unfold outward_gap, normal_force, shear_force in *. destruct (Rle_lt_dec 0 (cos x)) as [HC | HC].
-  - assert (P : 0 < x * (mu * sin x + cos x)) by (apply Rmult_lt_0_compat; nra).
-    apply (Rmult_lt_reg_l h0); [lra |]. assert (Q := Rmult_lt_0_compat (h0 - h) _ ltac:(lra) P).
-    assert (Q' := Rmult_le_pos h _ ltac:(lra) H0). lra.
-  - assert (0 < (h0 - h) * (sin x - mu * cos x)) by (apply Rmult_lt_0_compat; nra). lra.
-Qed.
-
 (** A thrust that grows with that of a haunch is borne by the shoulder's friction. *)
 Lemma shoulder_goes_on (x k mu h0 alpha alpha' : R) : 0 < x <= PI / 2 -> 0 < alpha' < alpha -> alpha < PI -> 0 < mu ->
   0 < k -> k * (1 - cos alpha) <= 1 -> 0 < h0 ->
@@ -483,159 +403,19 @@ Proof.
     + replace (- shear_force y (r y)) with (mu * normal_force y (r y)) by lra. ring.
 Qed.
 
-(** ** What an arch asks of its thrust *)
-
-(** A joint's intrados with the line of thrust on the crown's extrados, and with it on the shoulder's. *)
-Lemma asked_at_most (x tau h : R) : 0 <= x <= PI / 2 -> 0 < tau <= 1 ->
-  asked delta x tau <= h <-> (1 - tau) * normal_force x h <= h + centroids delta tau * (1 - cos x).
-Proof.
-  intros Hx Ht. destruct (haunch_signs x tau Hx Ht) as (_ & _ & _ & _ & Hw).
-  assert (E : asked delta x tau * (1 - cos x + tau * cos x)
-    = (1 - tau) * (x * sin x) - centroids delta tau * (1 - cos x)) by (unfold asked; field; lra).
-  unfold normal_force. split; intros H.
-  - apply (Rmult_le_compat_r (1 - cos x + tau * cos x)) in H; lra.
-  - apply (Rmult_le_reg_r (1 - cos x + tau * cos x)); lra.
-Qed.
-
-Definition clear_of_shoulder (alpha tau h x : R) : Prop :=
-  (1 - tau) * normal_force x h <= normal_force alpha h - centroids delta tau * (cos x - cos alpha).
-
-Lemma clear_with_less_thrust (alpha eta h h0 x : R) : 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= x <= alpha ->
-  0 <= h <= h0 -> clear_of_shoulder alpha (slenderness eta) h0 x -> clear_of_shoulder alpha (slenderness eta) h x.
-Proof.
-  intros Ha He Hx Hh H0. unfold clear_of_shoulder in *. set (tau := slenderness eta) in *.
-  destruct (Rle_lt_dec (cos alpha) ((1 - tau) * cos x)) as [Harm | Harm].
-  - assert (0 <= (h0 - h) * ((1 - tau) * cos x - cos alpha)) by (apply Rmult_le_pos; lra).
-    unfold normal_force in *. lra.
-  - destruct (scaled_radii delta eta ltac:(lra)) as (Ei & Ef & Hp). fold tau in Ei, Ef.
-    assert (H := room_without_lever delta alpha x eta h 0 flag Hx Ha He ltac:(lra)). rewrite Ei in H.
-    apply (Rmult_le_reg_l (extrados eta)); [easy |]. unfold haunch_gap, shoulder_gap in H. rewrite Ei, Ef in H.
-    assert (0 <= extrados eta * (cos alpha - (1 - tau) * cos x)) by (apply Rmult_le_pos; lra). lra.
-Qed.
-
-(** What crown, haunch and shoulder ask of [A]. *)
-Lemma room_for_rotation (alpha eta h x : R) : let tau := slenderness eta in 0 < alpha < PI -> 0 < eta <= 2 ->
-  0 <= x <= alpha -> x <= PI / 2 -> 0 <= h -> clear_of_shoulder alpha tau h 0 -> clear_of_shoulder alpha tau h x ->
-  asked delta x tau <= h -> asked delta x tau + centroids delta tau <= A alpha.
-Proof.
-  intros tau Ha He Hx Hx' Hh H0 HM Hask.
-  destruct (Rle_lt_dec h (A alpha - centroids delta tau)) as [Hle | Hlt]; [lra |].
-  assert (HV : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  set (a := A alpha - centroids delta tau) in *. assert (Ha0 : 0 <= a).
-  { apply (clear_with_less_thrust alpha eta 0 h 0) in H0; try easy; try lra. unfold clear_of_shoulder in H0.
-    fold tau in H0. rewrite (normal_force_by_A alpha), normal_force_at_crown, cos_0 in H0 by easy.
-    apply (Rmult_le_reg_r (1 - cos alpha)); [easy |]. unfold a. lra. }
-  apply (clear_with_less_thrust alpha eta a h x) in HM; try easy; try lra. fold tau in HM.
-  enough (asked delta x tau <= a) by (unfold a in *; lra).
-  apply asked_at_most; [lra | now apply slenderness_between |]. unfold clear_of_shoulder in HM.
-  rewrite (normal_force_by_A alpha) in HM by easy. unfold a in *. lra.
-Qed.
-
-Lemma demands_of_joints (alpha eta h p x : R) : let tau := slenderness eta in 0 < alpha < PI -> 0 < eta <= 2 ->
-  (forall y, 0 <= y <= alpha -> joint_stands delta y eta h p) -> 0 <= x <= alpha -> x <= PI / 2 ->
-  asked delta x tau <= h /\ clear_of_shoulder alpha tau h x.
-Proof.
-  intros tau Ha He Hall Hx Hx'. assert (Ht := slenderness_between eta He). fold tau in Ht.
-  destruct (scaled_radii delta eta ltac:(lra)) as (_ & _ & Hp).
-  assert (Hjoint : forall y, 0 <= y <= alpha -> (1 - tau) * normal_force y h
-    <= p / extrados eta + centroids delta tau * (1 - cos y) <= normal_force y h).
-  { intros y Hy. specialize (Hall y Hy). replace p with (extrados eta * (p / extrados eta)) in Hall by (field; lra).
-    apply joint_scaled in Hall; [apply Hall | lra]. }
-  assert (Hcrown := Hjoint 0 ltac:(lra)). assert (Hend := Hjoint alpha ltac:(lra)). specialize (Hjoint x Hx).
-  rewrite normal_force_at_crown, cos_0 in Hcrown. unfold clear_of_shoulder. split; [apply asked_at_most |]; lra.
-Qed.
-
-Lemma joints_of_a_thrust (alpha eta h : R) : let tau := slenderness eta in 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
-  (forall x, 0 <= x <= alpha -> x <= PI / 2 -> asked delta x tau <= h /\
-     (A alpha - centroids delta tau < h -> clear_of_shoulder alpha tau h x)) ->
-  exists p, forall x, 0 <= x <= alpha -> joint_stands delta x eta h p.
-Proof.
-  intros tau Ha He Hh Hall. destruct (slenderness_between eta He) as [Ht Ht1]. fold tau in Ht, Ht1.
-  assert (HV : 0 < 1 - cos alpha) by (apply versine_positive; lra). set (g := centroids delta tau) in *.
-  assert (EN := normal_force_by_A alpha h Ha).
-  assert (Hq : exists q, q <= h /\ q <= normal_force alpha h - g * (1 - cos alpha) /\
-    forall x, 0 <= x <= alpha -> x <= PI / 2 -> (1 - tau) * normal_force x h <= q + g * (1 - cos x)).
-  { destruct (Rle_lt_dec h (A alpha - g)) as [Hle | Hlt].
-    - exists h. split; [lra | split; [nra |]]. intros x Hx Hx'. apply asked_at_most; [lra | easy | now apply Hall].
-    - exists (normal_force alpha h - g * (1 - cos alpha)). split; [nra | split; [lra |]].
-      intros x Hx Hx'. destruct (Hall x Hx Hx') as [_ H]. specialize (H Hlt). unfold clear_of_shoulder in H.
-      fold g in H. lra. }
-  destruct Hq as (q & Hq1 & Hq2 & Hin). assert (Hq0 := Hin 0 ltac:(lra) ltac:(lra)).
-  rewrite normal_force_at_crown, cos_0 in Hq0. assert (0 <= (1 - tau) * h) by (apply Rmult_le_pos; lra).
-  assert (Hg : 1 - tau <= g).
-  { unfold g, centroids. assert (0 <= delta * tau ^ 2 / (6 * (2 - tau))) by (apply Rdiv_le_0_compat; nra). lra. }
-  exists (extrados eta * q). intros x Hx. apply joint_scaled; [lra |]. fold tau. fold g.
-  assert (Hout : q + g * (1 - cos x) <= normal_force x h).
-  { assert (M := margin_least_at_the_ends 1 g h ltac:(lra) alpha x ltac:(lra) Hx).
-    assert (K : q + g <= Rmin (margin 1 g h 0) (margin 1 g h alpha)); [|unfold margin in *; lra].
-    unfold margin. rewrite normal_force_at_crown, cos_0. apply Rmin_glb; lra. }
-  split; [|split; [|easy]].
-  - destruct (COS_bound x). assert (0 <= g * (1 - cos x)) by (apply Rmult_le_pos; lra). lra.
-  - destruct (Rle_lt_dec x (PI / 2)) as [Hn | Hw]; [now apply Hin |].
-    destruct (margin_falls (1 - tau) g h ltac:(lra) (PI / 2) x) as [M _]; try lra.
-    + unfold direction, cot. rewrite cos_PI2. unfold Rdiv. rewrite Rmult_0_l, Rmult_0_r. nra.
-    + assert (K := Hin (PI / 2) ltac:(lra) ltac:(lra)). unfold margin in M. lra.
-Qed.
-
-(** Friction besides: a thrust of at most 1 is enough. *)
-Lemma thrust_of_an_arch (alpha eta mu : R) : let tau := slenderness eta in 0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu ->
-  arch_stands delta alpha eta mu -> exists h, 0 < h <= 1 /\ 0 <= outward_gap alpha mu h /\
-    (forall x, 0 <= x <= alpha -> x <= PI / 2 -> asked delta x tau <= h /\ clear_of_shoulder alpha tau h x /\
-      0 <= inward_gap x mu h).
-Proof.
-  intros tau Ha He Hmu (h0 & p0 & Hall). assert (Ht := slenderness_between eta He). fold tau in Ht.
-  assert (Hh0 : 0 < h0).
-  { apply (friction_needs_thrust alpha mu); [lra | lra |]. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. easy. }
-  assert (Hdemands := fun x => demands_of_joints alpha eta h0 p0 x Ha He (fun y Hy => proj1 (Hall y Hy))).
-  assert (Hfriction : forall x, 0 <= x <= alpha -> 0 <= inward_gap x mu h0 /\ 0 <= outward_gap x mu h0).
-  { intros x Hx. destruct (Hall x Hx) as [_ Hf]. apply Rcomplements.Rabs_le_between in Hf.
-    unfold inward_gap, outward_gap. lra. }
-  destruct (Rle_lt_dec h0 1) as [H1 | H1].
-  - exists h0. split; [lra | split; [apply Hfriction; lra |]]. intros x Hx Hx'. destruct (Hdemands x Hx Hx').
-    repeat split; try easy. now apply Hfriction.
-  - exists 1. split; [lra | split].
-    + apply Rlt_le, (outward_gap_with_less_thrust alpha mu 1 h0); [easy | easy | lra | apply Hfriction; lra].
-    + intros x Hx Hx'. destruct (Hdemands x Hx Hx') as [H2 H3]. repeat split.
-      * apply Rlt_le, growth_of_asked; [lra | easy].
-      * apply (clear_with_less_thrust alpha eta 1 h0); easy || lra.
-      * assert (HN := normal_force_positive_to_quarter x 1 ltac:(lra) ltac:(lra)).
-        assert (0 < mu * normal_force x 1) by now apply Rmult_lt_0_compat. unfold inward_gap, shear_force.
-        destruct (Req_dec x 0) as [-> | Hne]; [rewrite sin_0; lra |].
-        assert (K := times_cosine_below_sine x ltac:(lra)). lra.
-Qed.
-
-Lemma arch_of_a_thrust (alpha eta mu h : R) : let tau := slenderness eta in 0 < alpha < PI -> 0 < eta <= 2 ->
-  0 < mu -> 0 < h -> 0 <= outward_gap alpha mu h -> (forall x, 0 <= x <= alpha -> x <= PI / 2 ->
-     asked delta x tau <= h /\ (A alpha - centroids delta tau < h -> clear_of_shoulder alpha tau h x) /\
-     0 <= inward_gap x mu h) ->
-  arch_stands delta alpha eta mu.
-Proof.
-  intros tau Ha He Hmu Hh HO Hall. destruct (joints_of_a_thrust alpha eta h Ha He ltac:(lra)) as [p Hp].
-  { intros x Hx Hx'. now destruct (Hall x Hx Hx') as (H1 & H2 & _). }
-  exists h, p. intros x Hx. split; [now apply Hp |]. destruct (Hp x Hx) as [HN _].
-  assert (0 <= mu * normal_force x h) by (apply Rmult_le_pos; lra). apply Rabs_le. split.
-  - destruct (Req_dec x 0) as [-> | Hx0]; [unfold shear_force in *; rewrite sin_0; lra |].
-    enough (0 <= outward_gap x mu h) by (unfold outward_gap in *; lra).
-    destruct (Req_dec x alpha) as [-> | Hne]; [easy |]. apply Rlt_le, (no_outward_limit_within x alpha); lra.
-  - destruct (Rle_lt_dec x (PI / 2)) as [Hn | Hw].
-    + destruct (Hall x Hx Hn) as (_ & _ & K). unfold inward_gap in K. lra.
-    + unfold shear_force. assert (cos x < 0) by (apply cos_lt_0; lra). assert (0 <= sin x) by (apply sin_ge_0; lra).
-      assert (0 <= h * sin x) by (apply Rmult_le_pos; lra). nra.
-Qed.
-
 (** ** The longer arch stands *)
 
 Lemma rotation_of_one_rise (alpha alpha' eta eta' h x : R) : 0 < alpha' < alpha -> alpha < PI -> 0 < eta <= 2 ->
   0 < eta' <= 2 -> slenderness eta' * (1 - cos alpha) = slenderness eta * (1 - cos alpha') -> 0 <= h ->
   (forall y, 0 <= y <= alpha -> y <= PI / 2 -> asked delta y (slenderness eta) <= h /\
-     clear_of_shoulder alpha (slenderness eta) h y) -> 0 <= x <= alpha' -> x <= PI / 2 ->
+     clear_of_shoulder delta alpha (slenderness eta) h y) -> 0 <= x <= alpha' -> x <= PI / 2 ->
   asked delta x (slenderness eta') + centroids delta (slenderness eta') <= A alpha'.
 Proof.
   intros Ha Ha1 He He' Hway Hh Hall Hx Hx'. assert (T := slenderness_between eta He).
   assert (T' := slenderness_between eta' He'). destruct (Hall 0 ltac:(lra) ltac:(lra)) as [_ H0].
   destruct (Hall x ltac:(lra) Hx') as [H1 H2].
   apply (rotation_goes_on x alpha alpha' (slenderness eta) (slenderness eta')); try easy; try lra.
-  apply (room_for_rotation alpha eta h x); easy || lra.
+  apply (room_for_rotation delta flag alpha eta h x); easy || lra.
 Qed.
 
 Definition all_joints_stand (alpha eta : R) : Prop :=
@@ -650,10 +430,10 @@ Proof.
   { destruct (Hall 0 ltac:(lra)) as [H _]. now rewrite normal_force_at_crown in H. }
   assert (Hrotation : forall x, 0 <= x <= alpha' -> x <= PI / 2 -> _) by (intros x Hx Hx';
     exact (rotation_of_one_rise alpha alpha' eta eta' h x Ha Ha1 He He' Hway Hh (fun y Hy Hy' =>
-      demands_of_joints alpha eta h p y ltac:(lra) He Hall Hy Hy') Hx Hx')).
+      demands_of_joints delta alpha eta h p y ltac:(lra) He Hall Hy Hy') Hx Hx')).
   set (tau := slenderness eta') in *. exists (A alpha' - centroids delta tau).
   assert (H0 := Hrotation 0 ltac:(lra) ltac:(lra)). unfold asked in H0. rewrite sin_0, cos_0 in H0.
-  apply joints_of_a_thrust; [lra | easy | unfold Rdiv in H0; lra |]. intros x Hx Hx'. fold tau.
+  apply (joints_of_a_thrust delta flag); [lra | easy | unfold Rdiv in H0; lra |]. intros x Hx Hx'. fold tau.
   specialize (Hrotation x Hx Hx'). split; lra.
 Qed.
 
@@ -664,7 +444,8 @@ Proof.
   intros Ha Ha1 He He' Hmu Hway Hstands. assert (T := slenderness_between eta He).
   assert (T' := slenderness_between eta' He'). set (tau := slenderness eta) in *. set (tau' := slenderness eta') in *.
   assert (HV : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  destruct (thrust_of_an_arch alpha eta mu ltac:(lra) He Hmu Hstands) as (h & Hh & HO & Hall). fold tau in Hall.
+  destruct (thrust_of_an_arch delta flag alpha eta mu ltac:(lra) He Hmu Hstands) as (h & Hh & HO & Hall).
+  fold tau in Hall.
   assert (Hrotation : forall x, 0 <= x <= alpha' -> x <= PI / 2 ->
     asked delta x tau' + centroids delta tau' <= A alpha').
   { intros x Hx Hx'. apply (rotation_of_one_rise alpha alpha' eta eta' h x); try easy; try lra.
@@ -676,12 +457,13 @@ Proof.
   assert (Hmost : forall y, 0 <= y <= alpha' -> y <= PI / 2 -> asked delta y tau' <= asked delta x tau')
     by (intros y Hy Hy'; apply Hmax; split; [lra | now apply Rmin_glb]).
   destruct (Rle_lt_dec (asked delta x tau') h) as [Hle | Hgt].
-  - apply (arch_of_a_thrust alpha' eta' mu h); try easy; try lra.
+  - exists h. apply (arch_of_a_thrust delta flag alpha' eta' mu h); try easy; try lra.
     + apply Rlt_le, (no_outward_limit_within alpha' alpha); lra.
     + intros y Hy Hy'. destruct (Hall y ltac:(lra) Hy') as (_ & H2 & H3). fold tau'. split; [|split; [|easy]].
       * apply Rle_trans with (asked delta x tau'); [now apply Hmost | easy].
       * intros HA. apply (depth_goes_on y h alpha alpha' tau tau'); try easy; lra.
-  - apply (arch_of_a_thrust alpha' eta' mu (asked delta x tau')); try easy; try lra.
+  - exists (asked delta x tau').
+    apply (arch_of_a_thrust delta flag alpha' eta' mu (asked delta x tau')); try easy; try lra.
     + assert (E : forall y t, t * (1 - cos alpha) = tau * (1 - cos y) -> tau / (1 - cos alpha) * (1 - cos y) = t)
         by (intros y t E; apply (Rmult_eq_reg_r (1 - cos alpha)); [field_simplify|]; lra).
       assert (Hk : 0 < tau / (1 - cos alpha)) by (apply Rdiv_lt_0_compat; lra).
