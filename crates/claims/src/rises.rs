@@ -23,19 +23,19 @@ use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_opening};
 
 claims! {
-    Implicit("rise-rotation", "Fig. 1", rotation) as ROTATION:
+    Implicit("rise-rotation", "Fig. 1", rotation):
         "where crown and shoulder are on the extrados and the haunch on the intrados, A less what the haunch asks of \
          it grows as the half opening falls and the thickness over the rise of the extrados is kept";
-    Implicit("rise-overturning", "Fig. 1", overturning) as OVERTURNING:
+    Implicit("rise-overturning", "Fig. 1", overturning):
         "from a half circle on, where an inner joint slides, or without any thrust, the same way relieves the \
          shoulder's extrados";
     Implicit("rise-relief", "Fig. 1", relieved) as RELIEF:
         "up to a half circle a shoulder that slides has h >= 1 - alpha²/4 and, for h < 1, (alpha - h (1 - h)/alpha) \
          tan(alpha/2) more than [3 (1 - h) + (1 - h)²]/2";
-    Implicit("rise-narrow", "Fig. 1", narrow) as NARROW:
+    Implicit("rise-narrow", "Fig. 1", narrow):
         "up to a half circle, where the shoulder slides and the haunch is on the intrados, the same way relieves the \
          shoulder though it makes the thrust grow";
-    Implicit("rise-wide", "Fig. 1", wide) as WIDE:
+    Implicit("rise-wide", "Fig. 1", wide):
         "from a half circle on, where the shoulder slides and the haunch is on the intrados, the same way relieves the \
          shoulder though it makes the thrust grow";
 }
