@@ -1,7 +1,7 @@
 (** * What an arch asks of its thrust
 
-    The thickness is [tau] and the radius of the centroids [centroids], both to the radius of the extrados.  Of an arch
-    that stands there is a state with a thrust of at most 1. *)
+    The thickness is [tau] and the radius of the centroids [centroids], both to the radius of the extrados.  An arch
+    that stands has a state with a thrust of at most 1. *)
 
 From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes Mechanisms.
 
