@@ -104,8 +104,7 @@ Record state_of_arch := { at_alpha : R; at_eta : R; at_h : R; at_p : R }.
 Section Limit.
 
 Variables (delta mu alpha eta : R).
-Hypotheses (flag : 0 <= delta <= 1) (rough : 0 < mu) (opening : 0 < alpha <= PI)
-  (thickness : 0 <= eta <= 2).
+Hypotheses (flag : 0 <= delta <= 1) (rough : 0 < mu) (opening : 0 < alpha <= PI) (thickness : 0 <= eta <= 2).
 
 Definition is_near (d : R) (t : state_of_arch) : Prop :=
   Rabs (at_alpha t - alpha) < d /\ Rabs (at_eta t - eta) < d /\
@@ -149,8 +148,7 @@ Proof.
   { intros d Hd. destruct (Hp d Hd) as (x & Hx & t & Ht & Hclose & _ & ->). now exists t. }
   assert (Hnearer : forall d d' t, 0 < d <= d' -> near d t -> near d' t).
   { intros d d' t Hd (Ht & A & B). split; [now apply (is_nearer d) | split; lra]. }
-  assert (Te : tends _ near at_eta eta) by its_distance.
-  assert (Th : tends _ near at_h h) by its_distance.
+  assert (Te : tends _ near at_eta eta) by its_distance. assert (Th : tends _ near at_h h) by its_distance.
   assert (Tp : tends _ near at_p p) by its_distance.
   assert (Tmargins : forall x, tends _ near (fun t => shoulder_gap delta x (at_eta t) (at_h t) (at_p t))
     (shoulder_gap delta x eta h p) /\ tends _ near (fun t => haunch_gap delta x (at_eta t) (at_h t) (at_p t))
@@ -240,17 +238,15 @@ Qed.
 
 (** An arch that stands with some thickness stands exactly from one thickness on, and moves there in
     each of its states. *)
-Theorem least_thickness_is_attained (delta alpha mu eta0 : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < mu -> 0 < eta0 <= 2 -> arch_stands delta alpha eta0 mu ->
-  exists eta, 0 < eta <= eta0 /\
-    (forall eta', 0 < eta' <= 2 -> arch_stands delta alpha eta' mu <-> eta <= eta') /\
-    (forall h p, admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p).
+Theorem least_thickness_is_attained (delta alpha mu eta0 : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < mu ->
+  0 < eta0 <= 2 -> arch_stands delta alpha eta0 mu -> exists eta, 0 < eta <= eta0 /\
+  (forall eta', 0 < eta' <= 2 -> arch_stands delta alpha eta' mu <-> eta <= eta') /\
+  (forall h p, admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p).
 Proof.
   intros Hd Ha Hmu He0 Hstands.
   destruct (least_is_attained (fun e => 0 < e <= eta0 /\ arch_stands delta alpha e mu) 0 eta0)
     as (eta & (He & Heta) & Hleast); [split; [lra | easy] | intros x Hx; lra | |].
-  { intros x Hx0 Hx.
-    destruct (limit_of_arches_stands delta mu alpha x Hd Hmu ltac:(lra) ltac:(lra)) as [Hpos H].
+  { intros x Hx0 Hx. destruct (limit_of_arches_stands delta mu alpha x Hd Hmu ltac:(lra) ltac:(lra)) as [Hpos H].
     - intros d Hd'. destruct (Hx d Hd') as (y & Hy & Hy0 & H). exists alpha, y.
       replace (alpha - alpha) with 0 by ring. rewrite Rabs_R0. repeat split; try easy; lra.
     - split; [lra | easy]. }
@@ -285,11 +281,9 @@ Proof.
   repeat split; try easy; [apply (Rmult_eq_reg_l s) | apply (Rmult_eq_reg_l t)]; lra.
 Qed.
 
-(** and then it moves the arch at each thickness that stands, as the thrust is the same in all
-    states. *)
-Theorem sliding_does_not_see_the_thickness (sigma alpha mu h h' : R) :
-  0 < sigma -> 0 < alpha -> 0 < normal_force sigma h -> 0 < normal_force alpha h ->
-  inward_gap sigma mu h = 0 -> outward_gap alpha mu h = 0 ->
+(** and then it moves the arch at each thickness that stands, as the thrust is the same in all states. *)
+Theorem sliding_does_not_see_the_thickness (sigma alpha mu h h' : R) : 0 < sigma -> 0 < alpha ->
+  0 < normal_force sigma h -> 0 < normal_force alpha h -> inward_gap sigma mu h = 0 -> outward_gap alpha mu h = 0 ->
   0 <= inward_gap sigma mu h' -> 0 <= outward_gap alpha mu h' -> h' = h.
 Proof.
   intros Hs Ha HNs HNa HI HO HI' HO'. destruct (slip_rows_are_scaled sigma mu h h' HNs) as [Hin _].

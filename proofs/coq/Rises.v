@@ -58,8 +58,7 @@ Proof.
   assert (H1 : (2 * (1 - cos x) - x * sin x) / (tau * w) <= (2 * (1 - cos x) - x * sin x) / (tau' * w')).
   { apply quotient_falls; [easy | split; [apply Rmult_lt_0_compat | apply Rmult_le_compat]; lra]. }
   assert (H2 : (cos x + x * sin x - (1 - cos x) / 2) / w <= (cos x + x * sin x - (1 - cos x) / 2) / w')
-    by (apply quotient_falls; lra).
-  assert (H3 : tau' / (2 - tau') * (tau' / w') <= tau / (2 - tau) * (tau / w)).
+    by (apply quotient_falls; lra). assert (H3 : tau' / (2 - tau') * (tau' / w') <= tau / (2 - tau) * (tau / w)).
   { assert (Q : forall a b c d, 0 < b -> 0 < d -> a * d <= c * b -> a / b <= c / d).
     { intros a b c d Hb0 Hd0 H. apply (Rmult_le_reg_r (b * d)); [nra |]. field_simplify; lra. }
     apply Rmult_le_compat; try (apply Rdiv_le_0_compat; lra); apply Q; unfold w, w' in *; nra. }
@@ -114,10 +113,9 @@ Proof.
   { destruct (Req_dec x alpha') as [-> | Hne]; [lra |]. apply Rlt_le, versine_grows; lra. }
   destruct (haunch_signs x tau Hx) as (_ & Hv0 & _ & Hlag & _); [lra |].
   assert (Hchord := chord_of_centroids tau tau' ltac:(lra) Ht). assert (Hlack := lack_of_A_grows alpha' alpha Ha Ha1).
-  rewrite (normal_force_by_A alpha) in HM by lra. rewrite (normal_force_by_A alpha') by lra.
-  unfold normal_force in *. set (V := 1 - cos alpha) in *.
-  set (V' := 1 - cos alpha') in *. set (v := 1 - cos x) in *. set (b := x * sin x) in *.
-  replace (cos alpha) with (1 - V) in * by (unfold V; lra).
+  rewrite (normal_force_by_A alpha) in HM by lra. rewrite (normal_force_by_A alpha') by lra. unfold normal_force in *.
+  set (V := 1 - cos alpha) in *. set (V' := 1 - cos alpha') in *. set (v := 1 - cos x) in *.
+  set (b := x * sin x) in *. replace (cos alpha) with (1 - V) in * by (unfold V; lra).
   replace (cos alpha') with (1 - V') in * by (unfold V'; lra). replace (cos x) with (1 - v) in * by (unfold v; lra).
   set (g := centroids delta tau) in *. set (g' := centroids delta tau') in *. set (a := A alpha) in *.
   set (a' := A alpha') in *. assert (Hl : (2 - a') * V <= (2 - a) * V').
@@ -132,8 +130,8 @@ Proof.
   assert (P2 : 0 <= V * ((2 - a) * V' - (2 - a') * V)) by (apply Rmult_le_pos; lra).
   assert (P3 : 0 <= (V - v) * ((2 - a') * (V - V') - V' * (g' - g))) by (apply Rmult_le_pos; lra).
   assert (P4 : 0 <= V' * (h + (a - h) * V - g * (1 - v - (1 - V)) - (1 - tau) * (h * (1 - v) + b)))
-    by (apply Rmult_le_pos; lra).
-  assert (P5 : (tau' * V - tau * V') * (h * (1 - v) + b) = 0) by (rewrite Hway; ring). lra.
+    by (apply Rmult_le_pos; lra). assert (P5 : (tau' * V - tau * V') * (h * (1 - v) + b) = 0) by (rewrite Hway; ring).
+  lra.
 Qed.
 
 (** ** The thrust of a haunch *)
@@ -152,9 +150,8 @@ Proof.
   assert (Hv : 0 < 1 - cos x) by (apply versine_positive; lra).
   assert (0 <= delta * (tau * (4 - tau)) / (6 * (2 - tau) ^ 2) * (1 - cos x))
     by (apply Rmult_le_pos; [apply Rdiv_le_0_compat; [apply Rmult_le_pos |] |]; nra).
-  assert (0 <= asked delta x tau * cos x) by (apply Rmult_le_pos; lra).
-  unfold asked_slope. apply (Rmult_lt_reg_r (1 - cos x + tau * cos x)); [easy |].
-  unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l; lra.
+  assert (0 <= asked delta x tau * cos x) by (apply Rmult_le_pos; lra). unfold asked_slope.
+  apply (Rmult_lt_reg_r (1 - cos x + tau * cos x)); [easy |]. unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l; lra.
 Qed.
 
 (** It grows less than half the thickness and what it lacks of 1 fall. *)
@@ -199,11 +196,10 @@ Lemma versine_against_slope (x : R) : 0 < x <= PI / 2 ->
   0 <= (x ^ 2 / 2 - x ^ 4 / 12) * cos x + (x * sin x - (1 - cos x) / 2) * x ^ 2 / 2 - x * sin x + 1 - cos x.
 Proof.
   intros Hx. destruct (Rle_lt_dec x 1) as [Hx1 | Hx1].
-  - rewrite (sine_by_defect x), (cosine_by_defect x) by lra.
-    assert (HS := sine_defect_bounds x ltac:(lra)). assert (HC := cosine_defect_bounds x ltac:(lra)).
-    set (s := sine_defect x) in *. set (c := cosine_defect x) in *.
-    assert (Hy : 0 < x ^ 2 <= 1) by nra. replace (x ^ 4) with (x ^ 2 * x ^ 2) by ring.
-    set (y := x ^ 2) in *. replace (x * (x * (1 + y * s))) with (y * (1 + y * s)) by (unfold y; ring).
+  - rewrite (sine_by_defect x), (cosine_by_defect x) by lra. assert (HS := sine_defect_bounds x ltac:(lra)).
+    assert (HC := cosine_defect_bounds x ltac:(lra)). set (s := sine_defect x) in *. set (c := cosine_defect x) in *.
+    assert (Hy : 0 < x ^ 2 <= 1) by nra. replace (x ^ 4) with (x ^ 2 * x ^ 2) by ring. set (y := x ^ 2) in *.
+    replace (x * (x * (1 + y * s))) with (y * (1 + y * s)) by (unfold y; ring).
     assert (P1 : 0 <= y * (1 - 3 * y / 4 + y * y / 12) * (- 1 / 2 + y / 24 - c)) by (repeat apply Rmult_le_pos; nra).
     assert (P2 : 0 <= y * y * (1 - y / 2) * (- 1 / 6 + y / 120 - s)) by (repeat apply Rmult_le_pos; nra). nra.
   - interval with (i_prec 53, i_bisect x, i_taylor x).
@@ -226,8 +222,7 @@ Proof.
   assert (P1 := Rmult_le_pos tau _ ltac:(lra) H1).
   assert (P2 : 0 <= tau ^ 2 * (x * sin x - (1 - cos x) / 2)) by (apply Rmult_le_pos; nra).
   replace (asked delta x tau * (tau + x ^ 2 / 2) * (1 - cos x + tau * cos x))
-    with ((tau + x ^ 2 / 2) * (asked delta x tau * (1 - cos x + tau * cos x))) by ring.
-  rewrite E. lra.
+    with ((tau + x ^ 2 / 2) * (asked delta x tau * (1 - cos x + tau * cos x))) by ring. rewrite E. lra.
 Qed.
 
 (** ** A shoulder that slides *)
@@ -277,7 +272,6 @@ Proof.
       + normal_force (a / 2) h * cos t1 * (shear_force a h * cos t2)) in K by ring.
   rewrite S1, S2, N1, N2 in K. assert (0 < h * h) by nra. nra.
 Qed.
-
 
 (** As the half-angle falls, the friction of a shoulder that slides grows more than the thrust of the haunch takes. *)
 Lemma shoulder_is_relieved (x y tau : R) : 0 < x <= PI / 2 -> 0 < y < PI -> 0 < tau <= 1 -> 0 < asked delta x tau ->
@@ -391,8 +385,7 @@ Proof.
       assert (0 <= (r y - h0) * (mu * cos (y / 2) + sin (y / 2))) by (apply Rmult_le_pos; lra). lra. }
     apply (Rmult_lt_reg_l (normal_force y (r y))); [easy |].
     assert (EA : A y * (k * (1 - cos y) * asked_slope x (k * (1 - cos y))) = y * r' y)
-      by (unfold A, r'; field; lra).
-    assert (C := circle y). unfold outward_gap in E.
+      by (unfold A, r'; field; lra). assert (C := circle y). unfold outward_gap in E.
     replace (normal_force y (r y) * (mu * ((1 - r y) * sin y + y * cos y + r' y * cos y)
       + ((1 - r y) * cos y - y * sin y - r' y * sin y))) with (- (y ^ 2 - r y * (1 - r y) + y * r' y)); [lra |].
     replace (normal_force y (r y) * (mu * ((1 - r y) * sin y + y * cos y + r' y * cos y)
@@ -430,11 +423,10 @@ Proof.
   { destruct (Hall 0 ltac:(lra)) as [H _]. now rewrite normal_force_at_crown in H. }
   assert (Hrotation : forall x, 0 <= x <= alpha' -> x <= PI / 2 -> _) by (intros x Hx Hx';
     exact (rotation_of_one_rise alpha alpha' eta eta' h x Ha Ha1 He He' Hway Hh (fun y Hy Hy' =>
-      demands_of_joints delta alpha eta h p y ltac:(lra) He Hall Hy Hy') Hx Hx')).
-  set (tau := slenderness eta') in *. exists (A alpha' - centroids delta tau).
-  assert (H0 := Hrotation 0 ltac:(lra) ltac:(lra)). unfold asked in H0. rewrite sin_0, cos_0 in H0.
-  apply (joints_of_a_thrust delta flag); [lra | easy | unfold Rdiv in H0; lra |]. intros x Hx Hx'. fold tau.
-  specialize (Hrotation x Hx Hx'). split; lra.
+      demands_of_joints delta alpha eta h p y ltac:(lra) He Hall Hy Hy') Hx Hx')). set (tau := slenderness eta') in *.
+  exists (A alpha' - centroids delta tau). assert (H0 := Hrotation 0 ltac:(lra) ltac:(lra)). unfold asked in H0.
+  rewrite sin_0, cos_0 in H0. apply (joints_of_a_thrust delta flag); [lra | easy | unfold Rdiv in H0; lra |].
+  intros x Hx Hx'. fold tau. specialize (Hrotation x Hx Hx'). split; lra.
 Qed.
 
 Lemma longer_arch_of_one_rise (alpha alpha' eta eta' mu : R) : 0 < alpha' < alpha -> alpha < PI -> 0 < eta <= 2 ->

@@ -13,8 +13,7 @@ From Couplet Require Cones.
 Definition admissible_state (delta alpha eta mu h p : R) : Prop :=
   forall x, 0 <= x <= alpha -> joint_stands delta x eta h p /\ friction_holds x mu h.
 
-(** [shoulder_gap] and [haunch_gap] are the distances from the extrados and the intrados at any
-    joint. *)
+(** [shoulder_gap] and [haunch_gap] are the distances from the extrados and the intrados at any joint. *)
 Definition leaves_room (delta alpha eta mu h p : R) : Prop :=
   forall x, 0 <= x <= alpha ->
     0 < shoulder_gap delta x eta h p /\ 0 < haunch_gap delta x eta h p /\
@@ -64,10 +63,9 @@ Lemma margins_on_a_line (delta x eta mu h p h' p' t : R) :
   = outward_gap x mu h + t * (outward_gap x mu h' - outward_gap x mu h).
 Proof. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force. repeat split; ring. Qed.
 
-Lemma margins_continuous (delta eta mu h p : R) :
-  continuity (fun x => shoulder_gap delta x eta h p) /\
-  continuity (fun x => haunch_gap delta x eta h p) /\
-  continuity (fun x => inward_gap x mu h) /\ continuity (fun x => outward_gap x mu h).
+Lemma margins_continuous (delta eta mu h p : R) : continuity (fun x => shoulder_gap delta x eta h p) /\
+  continuity (fun x => haunch_gap delta x eta h p) /\ continuity (fun x => inward_gap x mu h) /\
+  continuity (fun x => outward_gap x mu h).
 Proof. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force. repeat split; reg. Qed.
 
 (** ** The joints at a limit *)
@@ -78,10 +76,8 @@ Proof.
 Qed.
 
 (** The line of thrust touches the intrados at one joint only, whatever the thrust. *)
-Lemma intrados_touched_once (delta alpha eta h p x y : R) :
-  0 <= delta -> alpha < PI -> 0 < eta <= 2 ->
-  (forall z, 0 <= z <= alpha -> 0 <= haunch_gap delta z eta h p) ->
-  0 <= x <= alpha -> 0 <= y <= alpha ->
+Lemma intrados_touched_once (delta alpha eta h p x y : R) : 0 <= delta -> alpha < PI -> 0 < eta <= 2 ->
+  (forall z, 0 <= z <= alpha -> 0 <= haunch_gap delta z eta h p) -> 0 <= x <= alpha -> 0 <= y <= alpha ->
   haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y.
 Proof.
   intros Hd Ha He Hall.
@@ -132,9 +128,8 @@ Proof.
   lra.
 Qed.
 
-Lemma margins_not_negative (x : R) : 0 <= x <= alpha ->
-  0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p /\
-  0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h.
+Lemma margins_not_negative (x : R) : 0 <= x <= alpha -> 0 <= shoulder_gap delta x eta h p /\
+  0 <= haunch_gap delta x eta h p /\ 0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h.
 Proof.
   intros Hx. destruct (state x Hx) as [(_ & Hin & Hout) Hf]. unfold friction_holds in Hf. apply Rabs_le_between in Hf.
   unfold shoulder_gap, haunch_gap, inward_gap, outward_gap. lra.
@@ -239,8 +234,7 @@ Proof.
   intros Hx HN Hk Hrow. assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
   exists (k * (x / (normal_force x h * sin x))).
   assert (Hscale : 0 < x / (normal_force x h * sin x))
-    by (apply Rdiv_lt_0_compat; [lra | now apply Rmult_lt_0_compat]).
-  repeat split.
+    by (apply Rdiv_lt_0_compat; [lra | now apply Rmult_lt_0_compat]). repeat split.
   - apply Rmult_le_pos; lra.
   - destruct Hrow as [-> | Hrow]; [ring|]. assert (E : row = x / normal_force x h).
     { apply (Rmult_eq_reg_l (normal_force x h)); [rewrite Hrow; field|]; lra. }
@@ -251,14 +245,13 @@ Qed.
 
 Lemma multipliers_are_rates (beta sigma : R) (k : nat -> R) (c : R) : 0 <= beta <= alpha -> 0 < sigma <= alpha ->
   (forall i, 0 <= k i) -> 0 < Cones.sum k 5 -> c <= 0 ->
-  (forall x, True -> Cones.weighted k (forms beta sigma) x = c) ->
-  exists u l v s t, 0 < u + l + v + s + t /\
-    moves delta alpha beta sigma eta mu h p u l v s t.
+  (forall x, True -> Cones.weighted k (forms beta sigma) x = c) -> exists u l v s t, 0 < u + l + v + s + t /\
+  moves delta alpha beta sigma eta mu h p u l v s t.
 Proof.
   intros Hb Hs Hk Hsum Hc Hconstant. simpl in Hsum. set (k1 := k 0%nat) in *. set (k2 := k 1%nat) in *.
-  set (k3 := k 2%nat) in *. set (k4 := k 3%nat) in *. set (k5 := k 4%nat) in *.
-  assert (H1 := Hk 0%nat : 0 <= k1). assert (H2 := Hk 1%nat : 0 <= k2). assert (H3 := Hk 2%nat : 0 <= k3).
-  assert (H4 := Hk 3%nat : 0 <= k4). assert (H5 := Hk 4%nat : 0 <= k5).
+  set (k3 := k 2%nat) in *. set (k4 := k 3%nat) in *. set (k5 := k 4%nat) in *. assert (H1 := Hk 0%nat : 0 <= k1).
+  assert (H2 := Hk 1%nat : 0 <= k2). assert (H3 := Hk 2%nat : 0 <= k3). assert (H4 := Hk 3%nat : 0 <= k4).
+  assert (H5 := Hk 4%nat : 0 <= k5).
   assert (Hwork : forall h' p', k1 * crown_gap eta h' p' + k2 * haunch_gap delta beta eta h' p' + k3 * shoulder_gap
     delta alpha eta h' p' + k4 * inward_gap sigma mu h' + k5 * outward_gap alpha mu h' = c).
   { intros h' p'. rewrite <- (Hconstant (h', p') I). simpl. fold k1 k2 k3 k4 k5. ring. }
@@ -287,8 +280,7 @@ Proof.
     unfold inward_gap in *.
     replace (mu * normal_force sigma (h + 1) - shear_force sigma (h + 1))
       with (mu * normal_force sigma h - shear_force sigma h + (mu * cos sigma + sin sigma)) in Hin'
-      by (unfold normal_force, shear_force; ring).
-    rewrite EI in Hin'. lra. }
+      by (unfold normal_force, shear_force; ring). rewrite EI in Hin'. lra. }
   destruct (rate_of_slip alpha (sin alpha - mu * cos alpha) k5) as (t & Ht0 & Et & Ht1 & Ht2); try easy; try lra.
   { destruct (Req_dec k5 0) as [E | E]; [now left | right].
     assert (EO : outward_gap alpha mu h = 0) by (apply (Rmult_eq_reg_l k5); lra).
@@ -296,8 +288,7 @@ Proof.
     unfold outward_gap in *.
     replace (mu * normal_force alpha (h + 1) + shear_force alpha (h + 1))
       with (mu * normal_force alpha h + shear_force alpha h - (sin alpha - mu * cos alpha)) in Hout'
-      by (unfold normal_force, shear_force; ring).
-    rewrite EO in Hout'. lra. }
+      by (unfold normal_force, shear_force; ring). rewrite EO in Hout'. lra. }
   exists k1, k2, k3, s, t. split.
   - destruct (Rlt_dec 0 k4) as [L4 | L4]; [specialize (Hs2 L4); lra|].
     destruct (Rlt_dec 0 k5) as [L5 | L5]; [specialize (Ht2 L5); lra | lra].
@@ -322,8 +313,8 @@ Proof.
   - right. assert (C := Hstrict _ (or_introl eq_refl)). assert (L := Hstrict _ (or_intror (or_introl eq_refl))).
     assert (U := Hstrict _ (or_intror (or_intror (or_introl eq_refl)))).
     assert (I := Hstrict _ (or_intror (or_intror (or_intror (or_introl eq_refl))))).
-    assert (O := Hstrict _ (or_intror (or_intror (or_intror (or_intror (or_introl eq_refl)))))). simpl in C, L, U, I, O.
-    destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
+    assert (O := Hstrict _ (or_intror (or_intror (or_intror (or_intror (or_introl eq_refl)))))).
+    simpl in C, L, U, I, O. destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
     destruct (margins_continuous delta eta mu h' p') as (CU' & CL' & CI' & CO').
     assert (Hway : forall f g : R -> R, continuity f -> continuity g -> (forall x, 0 <= x <= alpha -> 0 <= f x) ->
       (forall x, 0 <= x <= alpha -> f x = 0 -> 0 < g x) -> exists e, 0 < e /\ forall t, 0 < t <= e -> forall x,
@@ -354,8 +345,7 @@ Proof.
     repeat split; [apply HU | apply HL | apply HI | apply HO]; lra.
   - left. exists beta, sigma.
     destruct (multipliers_are_rates beta sigma k c Hb Hs Hnotneg Hsum Hc Hconstant)
-      as (u & l & v & s & t & Hsome & Hmoves).
-    exists u, l, v, s, t. tauto.
+      as (u & l & v & s & t & Hsome & Hmoves). exists u, l, v, s, t. tauto.
 Qed.
 
 End State.
@@ -409,10 +399,9 @@ Proof.
 Qed.
 
 Lemma margins_positive_near (delta eta mu h p x0 : R) : 0 < shoulder_gap delta x0 eta h p ->
-  0 < haunch_gap delta x0 eta h p -> 0 < inward_gap x0 mu h -> 0 < outward_gap x0 mu h ->
-  exists d, 0 < d /\ forall x, Rabs (x - x0) < d ->
-    0 < shoulder_gap delta x eta h p /\ 0 < haunch_gap delta x eta h p /\
-    0 < inward_gap x mu h /\ 0 < outward_gap x mu h.
+  0 < haunch_gap delta x0 eta h p -> 0 < inward_gap x0 mu h -> 0 < outward_gap x0 mu h -> exists d, 0 < d /\
+  forall x, Rabs (x - x0) < d -> 0 < shoulder_gap delta x eta h p /\ 0 < haunch_gap delta x eta h p /\
+  0 < inward_gap x mu h /\ 0 < outward_gap x mu h.
 Proof.
   intros HU HL HI HO. destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
   assert (Hnear : forall f : R -> R, continuity f -> 0 < f x0 ->
@@ -427,9 +416,8 @@ Proof.
   repeat split; [apply H1 | apply H2 | apply H3 | apply H4]; lra.
 Qed.
 
-Theorem wider_arch_stands (delta alpha eta mu h p : R) :
-  0 < alpha < PI -> 0 < eta -> leaves_room delta alpha eta mu h p ->
-  exists alpha', alpha < alpha' < PI /\ arch_stands delta alpha' eta mu.
+Theorem wider_arch_stands (delta alpha eta mu h p : R) : 0 < alpha < PI -> 0 < eta ->
+  leaves_room delta alpha eta mu h p -> exists alpha', alpha < alpha' < PI /\ arch_stands delta alpha' eta mu.
 Proof.
   intros Ha He Hroom. destruct (Hroom alpha ltac:(lra)) as (HU & HL & HI & HO).
   destruct (margins_positive_near delta eta mu h p alpha HU HL HI HO) as (d & Hd & H).
@@ -461,9 +449,8 @@ Definition state_moves (delta alpha eta mu h p : R) : Prop :=
   exists beta sigma u l v s t, 0 <= beta <= alpha /\ 0 < sigma <= alpha /\
     0 < u + l + v + s + t /\ moves delta alpha beta sigma eta mu h p u l v s t.
 
-Theorem moves_if_none_thinner (delta alpha eta mu h p : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu ->
-  (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
+Theorem moves_if_none_thinner (delta alpha eta mu h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 ->
+  0 < mu -> (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
   admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p.
 Proof.
   intros Hd Ha He Hmu Hnone Hstate.
@@ -473,9 +460,8 @@ Proof.
   intros x Hx. destruct (Hroom x Hx) as (HU & HL & HI & HO). lra.
 Qed.
 
-Theorem moves_if_none_wider (delta alpha eta mu h p : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu ->
-  (forall alpha', alpha < alpha' < PI -> ~ arch_stands delta alpha' eta mu) ->
+Theorem moves_if_none_wider (delta alpha eta mu h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 ->
+  0 < mu -> (forall alpha', alpha < alpha' < PI -> ~ arch_stands delta alpha' eta mu) ->
   admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p.
 Proof.
   intros Hd Ha He Hmu Hnone Hstate.

@@ -27,8 +27,7 @@ Lemma held_between h k m : is_held h -> is_held k -> h <= m <= k -> is_held m.
 Proof.
   intros Hh Hk Hm x Hx. assert (A := Hh x Hx). assert (B := Hk x Hx).
   unfold friction_holds, normal_force, shear_force in *. rewrite Rabs_le_between in *.
-  destruct (Req_dec h k) as [<- | Hne]; [replace m with h by lra; exact A |].
-  nra.
+  destruct (Req_dec h k) as [<- | Hne]; [replace m with h by lra; exact A |]. nra.
 Qed.
 
 Section Thickness.

@@ -155,9 +155,8 @@ Proof.
     forall x, 0 <= x <= alpha -> x <= PI / 2 -> (1 - tau) * normal_force x h <= q + g * (1 - cos x)).
   { destruct (Rle_lt_dec h (A alpha - g)) as [Hle | Hlt].
     - exists h. split; [lra | split; [nra |]]. intros x Hx Hx'. apply asked_at_most; [lra | easy | now apply Hall].
-    - exists (normal_force alpha h - g * (1 - cos alpha)). split; [nra | split; [lra |]].
-      intros x Hx Hx'. destruct (Hall x Hx Hx') as [_ H]. specialize (H Hlt). unfold clear_of_shoulder in H.
-      fold g in H. lra. }
+    - exists (normal_force alpha h - g * (1 - cos alpha)). split; [nra | split; [lra |]]. intros x Hx Hx'.
+      destruct (Hall x Hx Hx') as [_ H]. specialize (H Hlt). unfold clear_of_shoulder in H. fold g in H. lra. }
   destruct Hq as (q & Hq1 & Hq2 & Hin). assert (Hq0 := Hin 0 ltac:(lra) ltac:(lra)).
   rewrite normal_force_at_crown, cos_0 in Hq0. assert (0 <= (1 - tau) * h) by (apply Rmult_le_pos; lra).
   assert (Hg : 1 - tau <= g).
@@ -165,8 +164,8 @@ Proof.
   exists (extrados eta * q). intros x Hx. apply joint_scaled; [lra |]. fold tau. fold g.
   assert (Hout : q + g * (1 - cos x) <= normal_force x h).
   { assert (M := margin_least_at_the_ends 1 g h ltac:(lra) alpha x ltac:(lra) Hx).
-    assert (K : q + g <= Rmin (margin 1 g h 0) (margin 1 g h alpha)); [|unfold margin in *; lra].
-    unfold margin. rewrite normal_force_at_crown, cos_0. apply Rmin_glb; lra. }
+    assert (K : q + g <= Rmin (margin 1 g h 0) (margin 1 g h alpha)); [|unfold margin in *; lra]. unfold margin.
+    rewrite normal_force_at_crown, cos_0. apply Rmin_glb; lra. }
   split; [|split; [|easy]].
   - destruct (COS_bound x). assert (0 <= g * (1 - cos x)) by (apply Rmult_le_pos; lra). lra.
   - destruct (Rle_lt_dec x (PI / 2)) as [Hn | Hw]; [now apply Hin |].
@@ -180,9 +179,8 @@ Lemma outward_gap_with_less_thrust (x mu h h0 : R) : 0 < x < PI -> 0 < mu -> 0 <
 Proof.
   intros Hx Hmu Hh H0. assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
   unfold outward_gap, normal_force, shear_force in *. destruct (Rle_lt_dec 0 (cos x)) as [HC | HC].
-  - assert (P : 0 < x * (mu * sin x + cos x)) by (apply Rmult_lt_0_compat; nra).
-    apply (Rmult_lt_reg_l h0); [lra |]. assert (Q := Rmult_lt_0_compat (h0 - h) _ ltac:(lra) P).
-    assert (Q' := Rmult_le_pos h _ ltac:(lra) H0). lra.
+  - assert (P : 0 < x * (mu * sin x + cos x)) by (apply Rmult_lt_0_compat; nra). apply (Rmult_lt_reg_l h0); [lra |].
+    assert (Q := Rmult_lt_0_compat (h0 - h) _ ltac:(lra) P). assert (Q' := Rmult_le_pos h _ ltac:(lra) H0). lra.
   - assert (0 < (h0 - h) * (sin x - mu * cos x)) by (apply Rmult_lt_0_compat; nra). lra.
 Qed.
 
@@ -234,8 +232,7 @@ Qed.
 
 Lemma no_flat_arch (alpha eta mu : R) : 0 < alpha <= PI -> 0 < mu -> arch_stands delta alpha eta mu -> alpha < PI.
 Proof.
-  intros Ha Hmu (h & p & Hall). destruct (Req_dec alpha PI) as [E | Hne]; [exfalso | lra].
-  assert (Hh : 0 < h).
+  intros Ha Hmu (h & p & Hall). destruct (Req_dec alpha PI) as [E | Hne]; [exfalso | lra]. assert (Hh : 0 < h).
   { apply (friction_needs_thrust alpha mu); [lra | lra |]. intros x Hx. now destruct (Hall x Hx) as [[HN _] Hf]. }
   destruct (Hall alpha ltac:(lra)) as [(HN & _) _]. unfold normal_force in HN. rewrite E, cos_PI, sin_PI in HN. lra.
 Qed.
