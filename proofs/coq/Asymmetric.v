@@ -54,12 +54,8 @@ Definition is_motion (delta alpha eta mu h p v : R) (motion : list moving) : Pro
 
 Section Right.
   Variables delta alpha eta mu h p v : R.
-  Hypothesis Hdelta : 0 <= delta.
-  Hypothesis Halpha : 0 < alpha < PI.
-  Hypothesis Heta : 0 < eta <= 2.
-  Hypothesis Hmu : 0 <= mu.
-  Hypothesis Hv : 0 < v.
-  Hypothesis Hall : whole_admissible delta alpha eta mu h p v.
+  Hypotheses (Hdelta : 0 <= delta) (Halpha : 0 < alpha < PI) (Heta : 0 < eta <= 2) (Hmu : 0 <= mu) (Hv : 0 < v)
+    (Hall : whole_admissible delta alpha eta mu h p v).
 
   Lemma thrust_positive : 0 < h.
   Proof.

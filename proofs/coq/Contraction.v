@@ -211,8 +211,7 @@ Qed.
 
 Section System.
 
-Variables (n : nat) (F : nat -> point -> R) (J : nat -> nat -> point -> R).
-Variables (Y C : nat -> nat -> R) (c r : point).
+Variables (n : nat) (F : nat -> point -> R) (J : nat -> nat -> point -> R) (Y C : nat -> nat -> R) (c r : point).
 
 Notation box x := (within n r 1 x c).
 Notation along x u t := (fun i : nat => x i + t * u i).

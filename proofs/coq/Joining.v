@@ -96,8 +96,7 @@ Ltac limits :=
 Section Near_the_crown.
 
 Variables (b : nat -> R).
-Hypothesis b_positive : forall n, 0 < b n.
-Hypothesis b_to_crown : is_lim_seq b 0.
+Hypotheses (b_positive : forall n, 0 < b n) (b_to_crown : is_lim_seq b 0).
 
 Lemma b_eventually_small : eventually (fun n => 0 < b n <= 1).
 Proof.
@@ -123,15 +122,10 @@ Proof. apply (squeezed cosine_defect _ 24); [exact cosine_defect_bounds | lra]. 
 
 (** ** The rotational curve to the order [b^2] *)
 
-Variables (delta l : R).
-Variables (alpha eta : nat -> R).
-Hypothesis haunch_in_arch : forall n, b n < PI.
-Hypothesis thickness_in_arch : forall n, 0 < eta n < 2.
-Hypothesis states : forall n, rotational_state delta (alpha n) (b n) (eta n).
-Hypothesis delta_not_negative : 0 <= delta.
-Hypothesis l_in_arch : 0 < l < 2.
-Hypothesis l_ends_rotation : end_of_rotation delta l = 0.
-Hypothesis eta_to_l : is_lim_seq eta l.
+Variables (delta l : R) (alpha eta : nat -> R).
+Hypotheses (haunch_in_arch : forall n, b n < PI) (thickness_in_arch : forall n, 0 < eta n < 2)
+  (states : forall n, rotational_state delta (alpha n) (b n) (eta n)) (delta_not_negative : 0 <= delta)
+  (l_in_arch : 0 < l < 2) (l_ends_rotation : end_of_rotation delta l = 0) (eta_to_l : is_lim_seq eta l).
 
 (** What [eta] and [A] grow with [b^2]. *)
 Let eta_rate : R := (delta * l ^ 2 / 6 + 4 * l - 6) / (2 * delta * l + 12).

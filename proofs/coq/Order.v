@@ -89,10 +89,9 @@ Section Two.
 (** The state says of which arch it is. *)
 Context {delta alpha1 eta1 mu1 h1 p1 alpha2 eta2 mu2 h2 p2 : R}.
 Hypotheses (state1 : admissible_state delta alpha1 eta1 mu1 h1 p1)
-  (state2 : admissible_state delta alpha2 eta2 mu2 h2 p2) (flag : 0 <= delta <= 1)
-  (opening1 : 0 < alpha1 < PI) (thickness1 : 0 < eta1 <= 2) (rough1 : 0 < mu1)
-  (opening2 : 0 < alpha2 < PI) (thickness2 : 0 < eta2 <= 2) (rough2 : 0 < mu2)
-  (smoother : mu2 <= mu1) (thicker : eta1 <= eta2).
+  (state2 : admissible_state delta alpha2 eta2 mu2 h2 p2) (flag : 0 <= delta <= 1) (opening1 : 0 < alpha1 < PI)
+  (thickness1 : 0 < eta1 <= 2) (rough1 : 0 < mu1) (opening2 : 0 < alpha2 < PI) (thickness2 : 0 < eta2 <= 2)
+  (rough2 : 0 < mu2) (smoother : mu2 <= mu1) (thicker : eta1 <= eta2).
 
 Let thrust1 : 0 < h1 := thrust_positive state1 opening1 rough1.
 Let thrust2 : 0 < h2 := thrust_positive state2 opening2 rough2.

@@ -121,8 +121,7 @@ Qed.
 Section Modes.
 
 Variables (delta alpha mu : R).
-Hypothesis weight : 0 <= delta <= 1.
-Hypothesis opening : 0 < alpha < PI.
+Hypotheses (weight : 0 <= delta <= 1) (opening : 0 < alpha < PI).
 
 (** The haunch is on the intrados by (2) if the crown is on the extrados, *)
 Lemma haunch_from_crown (beta eta h : R) : 0 < eta <= 2 -> h = h_lower delta beta eta ->

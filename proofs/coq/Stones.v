@@ -9,11 +9,8 @@ From Couplet Require Import Moments Contact FrictionModes Mechanisms Surveys.
 Section Stones.
 
 Variables (delta alpha mu : R) (joints : list R).
-Hypothesis weight : 0 <= delta <= 1.
-Hypothesis opening : 0 < alpha < PI.
-Hypothesis within : forall x, In x joints -> 0 <= x <= alpha.
-Hypothesis crown : In 0 joints.
-Hypothesis shoulder : In alpha joints.
+Hypotheses (weight : 0 <= delta <= 1) (opening : 0 < alpha < PI) (within : forall x, In x joints -> 0 <= x <= alpha)
+  (crown : In 0 joints) (shoulder : In alpha joints).
 
 (** Friction is enough at all joints. *)
 Definition is_held (h : R) : Prop := forall x, In x joints -> friction_holds x mu h.

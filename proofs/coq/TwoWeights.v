@@ -11,8 +11,7 @@ From Couplet Require Import Surveys Mechanisms Room Modes Attained Order Map.
 Section Weights.
 
 Variables (delta delta' alpha eta : R).
-Hypotheses (flags : 0 <= delta < delta') (flag' : delta' <= 1) (opening : 0 < alpha < PI)
-  (thickness : 0 < eta <= 2).
+Hypotheses (flags : 0 <= delta < delta') (flag' : delta' <= 1) (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2).
 
 Lemma centroid_factor_grows : fac delta eta < fac delta' eta.
 Proof. unfold fac. assert (0 < (delta' - delta) * eta ^ 2) by (apply Rmult_lt_0_compat; nra). lra. Qed.

@@ -13,12 +13,9 @@ From Couplet Require Import Moments Overturning Sliding States.
 Section Inside.
 
 Variables (delta alpha eta h p : R).
-Hypothesis opening : 0 < alpha < PI.
-Hypothesis thickness : 0 < eta <= 2.
-Hypothesis thrust : 0 < h.
-Hypothesis compression : 0 < normal_force alpha h.
-Hypothesis crown : p <= at_crown eta h.
-Hypothesis shoulder : p <= at_shoulder delta alpha eta h.
+Hypotheses (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2) (thrust : 0 < h)
+  (compression : 0 < normal_force alpha h) (crown : p <= at_crown eta h)
+  (shoulder : p <= at_shoulder delta alpha eta h).
 
 (** Moment about the intrados at a joint. *)
 Definition room (x : R) : R := p + fac delta eta * (1 - cos x) - intrados eta * normal_force x h.

@@ -166,10 +166,7 @@ Qed.
 Section Test.
 
 (** Bits to compute in, what is solved for, what is zero, and the matrix. *)
-Variable prec : I.precision.
-Variable unknowns : list name.
-Variable formulas : list formula.
-Variable Y : list (list dyadic).
+Variables (prec : I.precision) (unknowns : list name) (formulas : list formula) (Y : list (list dyadic)).
 
 Notation n := (length unknowns).
 

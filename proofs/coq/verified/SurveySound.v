@@ -228,8 +228,7 @@ Proof.
 Qed.
 
 Variables (span rise : R).
-Hypothesis span_between : between spans span.
-Hypothesis rise_between : between rises rise.
+Hypotheses (span_between : between spans span) (rise_between : between rises rise).
 
 Lemma unsafe_step first last : is_step Unsafe spans rises (first, last) = true -> slopes_between span rise first last ->
   opening span rise <= real (opening_of last) /\ Surveys.radius span rise <= Q2R (its_circle Unsafe (first, last)).
