@@ -26,9 +26,8 @@ Instance vicinity_is_filter : Filter vicinity.
 Proof.
   constructor.
   - exists 1. split; [lra | easy].
-  - intros P Q (d & Hd & HP) (e & He & HQ). assert (H := Rmin_glb_lt _ _ _ Hd He). assert (H1 := Rmin_l d e).
-    assert (H2 := Rmin_r d e). exists (Rmin d e). split; [easy|]. intros t Ht.
-    split; [apply HP | apply HQ]; apply (nearer (Rmin d e)); easy.
+  - intros P Q (d & Hd & HP) (e & He & HQ). destruct (below_both d e Hd He) as (c & Hc & H1 & H2). exists c.
+    split; [easy|]. intros t Ht. split; [apply HP | apply HQ]; apply (nearer c); easy.
   - intros P Q H (d & Hd & HP). exists d. split; [easy|]. intros t Ht. now apply H, HP.
 Qed.
 
@@ -89,9 +88,8 @@ Proof.
         [easy | exfalso]. enough (S (x0 + d)) by (assert (x0 + d <= x0) by (now apply Hupper); lra). intros d' Hd'.
       apply Classical_Prop.NNPP. intros Hnone. apply H. exists d'. split; [easy|]. intros x Hx Hhigh.
       apply Rnot_le_lt. intros Hle. apply Hnone. exists x. split; [lra | easy]. }
-    destruct Hbelow as (t & Ht & Hlow), Habove as (d' & Hd' & Hhigh). set (e := Rmin d d').
-    assert (He : 0 < e) by (now apply Rmin_glb_lt). assert (E1 : e <= d) by apply Rmin_l.
-    assert (E2 : e <= d') by apply Rmin_r. destruct (Ht e He) as (x & Hx & HP). exists x. split.
+    destruct Hbelow as (t & Ht & Hlow), Habove as (d' & Hd' & Hhigh).
+    destruct (below_both d d' Hd Hd') as (e & He & E1 & E2). destruct (Ht e He) as (x & Hx & HP). exists x. split.
     + assert (x < x0 + d) by (apply Hhigh; [apply (Hnearer e); [lra | easy] | lra]). apply Rabs_def1; lra.
     + apply (Hnearer e); [lra | easy].
 Qed.
@@ -355,10 +353,9 @@ Proof.
   assert (Hat : stands T).
   { destruct (Req_dec T 0) as [-> | Hne]; [easy |]. destruct (Hway T ltac:(lra)) as ((Ha & Ca) & He & Ce).
     apply (limit_of_arches_stands delta mu (alpha T) (eta T)); try easy; try lra. intros d Hd'.
-    destruct (Ca d Hd') as (d1 & Hd1 & H1), (Ce d Hd') as (d2 & Hd2 & H2). set (e := Rmin T (Rmin d1 d2)).
-    assert (0 < e) by (unfold e; repeat apply Rmin_glb_lt; lra). assert (L := Rmin_l T (Rmin d1 d2)).
-    assert (L' := Rmin_r T (Rmin d1 d2)). assert (M := Rmin_l d1 d2). assert (M' := Rmin_r d1 d2). fold e in L, L'.
-    exists (alpha (T - e / 2)), (eta (T - e / 2)).
+    destruct (Ca d Hd') as (d1 & Hd1 & H1), (Ce d Hd') as (d2 & Hd2 & H2).
+    destruct (below_both d1 d2 Hd1 Hd2) as (e0 & He0 & M & M').
+    destruct (below_both T e0) as (e & Hpos & L & L'); [lra | easy |]. exists (alpha (T - e / 2)), (eta (T - e / 2)).
     assert (Hnear : forall d, e <= d -> D_x no_cond T (T - e / 2) /\ Rabs (T - e / 2 - T) < d)
       by (intros d' Hle; split; [split; [easy | lra] | apply Rabs_def1; lra]).
     destruct (Hway (T - e / 2) ltac:(lra)) as ((Ha' & _) & He' & _). assert (S := Hbelow (T - e / 2) ltac:(lra)).
