@@ -10,10 +10,8 @@ From Couplet Require Import Surveys Mechanisms Thrusts Room Attained IntervalZ.
 (** Cusa's inequality. *)
 Lemma cusa (x : R) : 0 < x < PI -> 3 * sin x < x * (2 + cos x).
 Proof.
-  intros Hx. assert (H := grows (fun t => t * (2 + cos t) - 3 * sin t) (fun t => 2 * (1 - cos t) - t * sin t) x
-    ltac:(lra)). cbv beta in H. rewrite sin_0, cos_0 in H.
-  enough (0 * (2 + 1) - 3 * 0 < x * (2 + cos x) - 3 * sin x) by lra. apply H; [growing |].
-  intros c Hc. apply lag_positive. lra.
+  intros Hx. enough (0 < x * (2 + cos x) - 3 * sin x) by lra. apply (grows (fun t => t * (2 + cos t) - 3 * sin t)
+    (fun t => 2 * (1 - cos t) - t * sin t)); [lra | at_zero | growing |]. intros c Hc. apply lag_positive. lra.
 Qed.
 
 (** What [A] lacks of 2 grows faster than the versine. *)
@@ -181,15 +179,12 @@ Proof.
   intros Hx. set (f2 := fun t => (cos t - 1) / 3 + t * sin t / 3 - t ^ 2 * cos t / 6).
   set (f1 := fun t => sin t - t * (1 + 2 * cos t) / 3 - t ^ 2 * sin t / 6).
   assert (H2 : forall t, 0 < t <= PI / 2 -> 0 < f2 t).
-  { intros t Ht. replace 0 with (f2 0) by (unfold f2; rewrite sin_0, cos_0; lra).
-    apply (grows f2 (fun c => c ^ 2 * sin c / 6)); [lra | unfold f2; growing |]. intros c Hc.
+  { intros t Ht. apply (grows f2 (fun c => c ^ 2 * sin c / 6)); unfold f2; [lra | at_zero | growing |]. intros c Hc.
     assert (0 < sin c) by (apply sin_gt_0; lra). assert (0 < c ^ 2 * sin c) by (apply Rmult_lt_0_compat; nra). lra. }
   assert (H1 : forall t, 0 < t <= PI / 2 -> 0 < f1 t).
-  { intros t Ht. replace 0 with (f1 0) by (unfold f1; rewrite sin_0, cos_0; lra).
-    apply (grows f1 f2); [lra | unfold f1, f2; growing |]. intros c Hc. apply H2. lra. }
-  assert (H := grows (fun t => (2 - t ^ 2 / 6) * (1 - cos t) - t * sin t) f1 x ltac:(lra)). cbv beta in H.
-  rewrite sin_0, cos_0 in H. ring_simplify ((2 - 0 ^ 2 / 6) * (1 - 1) - 0 * 0) in H.
-  apply H; [unfold f1; growing |]. intros c Hc. apply H1. lra.
+  { intros t Ht. apply (grows f1 f2); [lra | unfold f1; at_zero | unfold f1, f2; growing |]. intros. apply H2. lra. }
+  apply (grows (fun t => (2 - t ^ 2 / 6) * (1 - cos t) - t * sin t) f1); [lra | at_zero | unfold f1; growing |].
+  intros c Hc. apply H1. lra.
 Qed.
 
 Lemma versine_against_slope (x : R) : 0 < x <= PI / 2 ->
@@ -247,16 +242,16 @@ Proof.
   destruct (forces_by_angle (a / 2) h Hh) as (C1 & S1 & N1). destruct (forces_by_angle a h Hh) as (C2 & S2 & N2).
   set (t1 := atan (a / 2 / h)) in *. set (t2 := atan (a / h)) in *. set (h1 := 1 - a ^ 2 / 4) in *.
   assert (Hsum : 3 / 2 * a < atan (a / 2 / h1) + atan (a / h1)).
-  { set (f := fun t => atan (t / 2 / (1 - t ^ 2 / 4)) + atan (t / (1 - t ^ 2 / 4)) - 3 / 2 * t).
-    assert (H : f 0 < f a).
-    { apply (grows f (fun t => 3 * (t ^ 2 / 4) ^ 2 * (1 - t ^ 2 / 4) / (2 * (1 + (t ^ 2 / 4) ^ 3)))); [lra | |].
+  { set (f := fun t => atan (t / 2 / (1 - t ^ 2 / 4)) + atan (t / (1 - t ^ 2 / 4)) - 3 / 2 * t). assert (H : 0 < f a).
+    { apply (grows f (fun t => 3 * (t ^ 2 / 4) ^ 2 * (1 - t ^ 2 / 4) / (2 * (1 + (t ^ 2 / 4) ^ 3)))); [lra | | |].
+      - unfold f. replace (0 / 2 / (1 - 0 ^ 2 / 4)) with 0 by field. replace (0 / (1 - 0 ^ 2 / 4)) with 0 by field.
+        rewrite atan_0. lra.
       - intros c Hc. assert (0 < 1 - c ^ 2 / 4) by nra. unfold f. auto_derive; [repeat split; lra |].
         assert (0 <= c ^ 2 / 4) by nra. field. repeat split; nra.
       - intros c Hc. assert (0 < c ^ 2 / 4 < 1) by nra.
         apply Rdiv_lt_0_compat; [repeat apply Rmult_lt_0_compat; nra |].
         assert (0 < (c ^ 2 / 4) ^ 3) by (apply pow_lt; lra). lra. }
-    unfold f in H. replace (0 / 2 / (1 - 0 ^ 2 / 4)) with 0 in H by field.
-    replace (0 / (1 - 0 ^ 2 / 4)) with 0 in H by field. rewrite atan_0 in H. unfold h1. lra. }
+    unfold f, h1 in *. lra. }
   assert (Hmore : forall x, 0 < x -> atan (x / h1) < atan (x / h)).
   { intros x Hx. apply atan_increasing, Rmult_lt_compat_l; [easy |]. apply Rinv_lt_contravar; [|easy].
     assert (0 < h1) by (unfold h1; nra). nra. }
@@ -269,8 +264,8 @@ Proof.
   apply (Rmult_le_compat_r (cos t1 * cos t2)) in K; [|nra].
   replace ((shear_force (a / 2) h * normal_force a h + normal_force (a / 2) h * shear_force a h) * (cos t1 * cos t2))
     with (shear_force (a / 2) h * cos t1 * (normal_force a h * cos t2)
-      + normal_force (a / 2) h * cos t1 * (shear_force a h * cos t2)) in K by ring.
-  rewrite S1, S2, N1, N2 in K. assert (0 < h * h) by nra. nra.
+      + normal_force (a / 2) h * cos t1 * (shear_force a h * cos t2)) in K by ring. rewrite S1, S2, N1, N2 in K.
+  assert (0 < h * h) by nra. nra.
 Qed.
 
 (** As the half-angle falls, the friction of a shoulder that slides grows more than the thrust of the haunch takes. *)
@@ -287,8 +282,7 @@ Proof.
   destruct (Rle_lt_dec y (PI / 2)) as [Hn | Hwide].
   - specialize (Hnarrow Hn). assert (A y < 2).
     { assert (L := lag_positive y Hy). apply (Rmult_lt_reg_r (1 - cos y)); [easy |]. unfold A. field_simplify; lra. }
-    assert (T : tau * h <= 3 / 4 * (1 - h) ^ 2).
-    { assert (K := pow2_ge_0 (x ^ 2 - 3 * (1 - h))). lra. }
+    assert (T : tau * h <= 3 / 4 * (1 - h) ^ 2) by (assert (K := pow2_ge_0 (x ^ 2 - 3 * (1 - h))); lra).
     set (L := 1 - h) in *. replace h with (1 - L) in * by (unfold L; ring).
     assert (HL : 0 < L < 0.63) by (unfold L in *; nra).
     assert (Q : 0 <= (1 - L) * (y ^ 2 - 4 * L)) by (apply Rmult_le_pos; lra).

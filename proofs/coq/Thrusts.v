@@ -36,20 +36,20 @@ Proof.
     first [apply Rmult_le_compat_l | apply (Rmult_le_reg_l (extrados eta))]; lra.
 Qed.
 
-Lemma grows (f f' : R -> R) (x : R) : 0 < x -> (forall c, 0 <= c <= x -> is_derive f c (f' c)) ->
-  (forall c, 0 < c < x -> 0 < f' c) -> f 0 < f x.
+Lemma grows (f f' : R -> R) (x : R) : 0 < x -> f 0 = 0 -> (forall c, 0 <= c <= x -> is_derive f c (f' c)) ->
+  (forall c, 0 < c < x -> 0 < f' c) -> 0 < f x.
 Proof.
-  intros Hx Hd Hp. destruct (MVT_cor2 f f' 0 x Hx) as (c & Hc & Hin); [intros; now apply is_derive_Reals, Hd |].
+  intros Hx H0 Hd Hp. destruct (MVT_cor2 f f' 0 x Hx) as (c & Hc & Hin); [intros; now apply is_derive_Reals, Hd |].
   assert (0 < f' c * (x - 0)) by (apply Rmult_lt_0_compat; [apply Hp |]; lra). lra.
 Qed.
 
 Ltac growing := let c := fresh "c" in intros c ?; auto_derive; [try easy | try field; try easy].
+Ltac at_zero := rewrite ?sin_0, ?cos_0; lra.
 
 Lemma lag_positive (x : R) : 0 < x < PI -> 0 < 2 * (1 - cos x) - x * sin x.
 Proof.
-  intros Hx. assert (H := grows (fun t => 2 * (1 - cos t) - t * sin t) (fun t => sin t - t * cos t) x ltac:(lra)).
-  cbv beta in H. rewrite sin_0, cos_0 in H. enough (2 * (1 - 1) - 0 * 0 < 2 * (1 - cos x) - x * sin x) by lra.
-  apply H; [growing |]. intros c Hc. assert (K := times_cosine_below_sine c ltac:(lra)). lra.
+  intros Hx. apply (grows (fun t => 2 * (1 - cos t) - t * sin t) (fun t => sin t - t * cos t));
+    [lra | at_zero | growing |]. intros c Hc. assert (K := times_cosine_below_sine c ltac:(lra)). lra.
 Qed.
 
 Lemma normal_force_by_A (a h : R) : 0 < a < PI -> normal_force a h = h + (A a - h) * (1 - cos a).
@@ -90,9 +90,8 @@ Proof.
   intros Hx Ht. destruct (haunch_signs x tau Hx Ht) as (_ & _ & _ & _ & Hw).
   assert (E : asked delta x tau * (1 - cos x + tau * cos x)
     = (1 - tau) * (x * sin x) - centroids delta tau * (1 - cos x)) by (unfold asked; field; lra).
-  unfold normal_force. split; intros H.
-  - apply (Rmult_le_compat_r (1 - cos x + tau * cos x)) in H; lra.
-  - apply (Rmult_le_reg_r (1 - cos x + tau * cos x)); lra.
+  unfold normal_force. split; intros H; [apply (Rmult_le_compat_r (1 - cos x + tau * cos x)) in H; lra
+    | apply (Rmult_le_reg_r (1 - cos x + tau * cos x)); lra].
 Qed.
 
 Definition clear_of_shoulder (alpha tau h x : R) : Prop :=
