@@ -28,9 +28,8 @@ Definition extrados (eta : R) : R := 1 + eta / 2.
 
 (** ** Statics of the half arch
 
-    Normal and shear force on the joint [beta], and the radius at which the line of thrust crosses
-    it when the thrust acts at the radius [crown] on the crown.  The shear is positive where the
-    joint tends to slide inwards. *)
+    Normal and shear force on the joint [beta], and the radius at which the line of thrust crosses it when the thrust
+    acts at the radius [crown] on the crown. The shear is positive where the joint tends to slide inwards. *)
 
 Definition normal_force (beta h : R) : R := h * cos beta + beta * sin beta.
 Definition shear_force (beta h : R) : R := beta * cos beta - h * sin beta.
@@ -56,8 +55,7 @@ Definition A_half_angle (alpha : R) : R := alpha * cot (alpha / 2).
 Definition h_whole (delta alpha eta : R) : R := A alpha - 2 / (2 + eta) * fac delta eta.
 
 (** (5): both printed forms. *)
-Definition h_tangency (delta beta eta : R) : R :=
-  beta * cot beta + 1 - 2 / (2 - eta) * fac delta eta.
+Definition h_tangency (delta beta eta : R) : R := beta * cot beta + 1 - 2 / (2 - eta) * fac delta eta.
 Definition h_tangency_second (delta beta eta : R) : R :=
   beta * cot beta - eta / (2 - eta) * (1 + 2 / eta * (fac delta eta - 1)).
 
@@ -77,8 +75,7 @@ Definition pol_h_printed (f g S h : R) : R :=
   6 * S ^ 2 * h ^ 3 - 3 * S * (3 * f - g - 2 * S) * h ^ 2 - 3 * (g - f) * (f - 2 * S) * h
   + 2 * (g - f) ^ 2.
 
-(** (7) for any delta_M.  In [A] the flag enters through [(1 - delta) / 2 * S], in [h] only in the
-    last coefficient. *)
+(** (7) for any delta_M. In [A] the flag enters through [(1 - delta) / 2 * S], in [h] only in the last coefficient. *)
 Definition pol_A (delta f g S A : R) : R :=
   S ^ 2 * (3 * g - (3 + delta) / 2 * S) * A ^ 3
   + 3 * g * S * (g - f - (1 - delta) / 2 * S) * A ^ 2
@@ -119,8 +116,7 @@ Definition A_milankovitch (eta : R) : R := (12 + eta ^ 2) / (6 * (2 + eta)).
 Definition eta_milankovitch (A : R) : R := 3 * A - sqrt (3 * (3 * A ^ 2 + 4 * A - 4)).
 
 (** (16): the left side as printed, and as it has to read. *)
-Definition end_of_rotation_printed (delta eta : R) : R :=
-  1 - eta / (2 - eta) * (1 + delta * eta ^ 2 / 12).
+Definition end_of_rotation_printed (delta eta : R) : R := 1 - eta / (2 - eta) * (1 + delta * eta ^ 2 / 12).
 Definition end_of_rotation (delta eta : R) : R := 1 - eta / (2 - eta) * (1 + delta * eta / 6).
 
 (** The thickness at which rotation ends, Milankovitch's self-weight. *)
@@ -129,10 +125,8 @@ Definition eta_l_milankovitch : R := 2 * (2 * sqrt 3 - 3).
 (** ** Sliding: (17), (18) *)
 
 (** (17): both printed forms. *)
-Definition mu_ss (alpha h : R) : R :=
-  (h * sin alpha - alpha * cos alpha) / (h * cos alpha + alpha * sin alpha).
-Definition h_mu (alpha mu : R) : R :=
-  alpha * ((cos alpha + mu * sin alpha) / (sin alpha - mu * cos alpha)).
+Definition mu_ss (alpha h : R) : R := (h * sin alpha - alpha * cos alpha) / (h * cos alpha + alpha * sin alpha).
+Definition h_mu (alpha mu : R) : R := alpha * ((cos alpha + mu * sin alpha) / (sin alpha - mu * cos alpha)).
 
 (** (18): the printed quotient at a joint, the joint, and the friction. *)
 Definition mu_inner (beta h : R) : R :=

@@ -54,12 +54,8 @@ Definition is_motion (delta alpha eta mu h p v : R) (motion : list moving) : Pro
 
 Section Right.
   Variables delta alpha eta mu h p v : R.
-  Hypothesis Hdelta : 0 <= delta.
-  Hypothesis Halpha : 0 < alpha < PI.
-  Hypothesis Heta : 0 < eta <= 2.
-  Hypothesis Hmu : 0 <= mu.
-  Hypothesis Hv : 0 < v.
-  Hypothesis Hall : whole_admissible delta alpha eta mu h p v.
+  Hypotheses (Hdelta : 0 <= delta) (Halpha : 0 < alpha < PI) (Heta : 0 < eta <= 2) (Hmu : 0 <= mu) (Hv : 0 < v)
+    (Hall : whole_admissible delta alpha eta mu h p v).
 
   Lemma thrust_positive : 0 < h.
   Proof.
@@ -140,11 +136,9 @@ Section Right.
       rewrite sin_0, cos_0 in Hl. nra.
   Qed.
 
-  Lemma normal_and_shear_of_thrust x :
-    cos x * whole_normal h v x - sin x * whole_shear h v x = h.
+  Lemma normal_and_shear_of_thrust x : cos x * whole_normal h v x - sin x * whole_shear h v x = h.
   Proof.
-    unfold whole_normal, whole_shear.
-    transitivity (h * (sin x * sin x + cos x * cos x)); [ring |].
+    unfold whole_normal, whole_shear. transitivity (h * (sin x * sin x + cos x * cos x)); [ring |].
     assert (H := sin2_cos2 x). unfold Rsqr in H. rewrite H. ring.
   Qed.
 
@@ -402,11 +396,10 @@ Section Right.
 
     (** What moves: the right springing slides, the extrados opens inside the right half, the intrados on the left; and
         besides the springing may open above and one joint inside slide. *)
-    Theorem joints_of_a_motion : (exists j, In j motion /\ rate j <> 0) ->
-      PI / 2 < alpha /\ exists b0 b1 b2, 0 < b0 < alpha /\ (0 <= b1 <= PI / 2 /\ (b1 = 0 <-> eta = 2)) /\
-        moves_at slips_out alpha /\ moves_at opens_above b0 /\ moves_at opens_below (- b1) /\
-        forall way x, moves_at way x -> In (way, x)
-          [(slips_out, alpha); (opens_above, alpha); (opens_above, b0); (opens_below, - b1); (slips_out, b2)].
+    Theorem joints_of_a_motion : (exists j, In j motion /\ rate j <> 0) -> PI / 2 < alpha /\
+      exists b0 b1 b2, 0 < b0 < alpha /\ (0 <= b1 <= PI / 2 /\ (b1 = 0 <-> eta = 2)) /\ moves_at slips_out alpha /\
+      moves_at opens_above b0 /\ moves_at opens_below (- b1) /\ forall way x, moves_at way x ->
+      In (way, x) [(slips_out, alpha); (opens_above, alpha); (opens_above, b0); (opens_below, - b1); (slips_out, b2)].
     Proof.
       intros Hsome. destruct (springing_slides Hsome) as [Hca Hfoot]. assert (Hwide : PI / 2 < alpha).
       { apply Rnot_le_lt. intros H. assert (0 <= cos alpha) by (apply cos_ge_0; lra). lra. }
@@ -477,9 +470,8 @@ Proof.
 Qed.
 
 Theorem no_asymmetric_motion_up_to_the_right_angle (delta alpha eta mu h p v : R) (motion : list moving) :
-  0 <= delta -> 0 < alpha <= PI / 2 -> 0 < eta <= 2 -> 0 <= mu ->
-  whole_admissible delta alpha eta mu h p v -> v <> 0 ->
-  is_motion delta alpha eta mu h p v motion -> Forall (fun j => rate j = 0) motion.
+  0 <= delta -> 0 < alpha <= PI / 2 -> 0 < eta <= 2 -> 0 <= mu -> whole_admissible delta alpha eta mu h p v ->
+  v <> 0 -> is_motion delta alpha eta mu h p v motion -> Forall (fun j => rate j = 0) motion.
 Proof.
   intros Hd Ha He Hm Hall Hv Hmotion. assert (Hca : 0 <= cos alpha) by (apply cos_ge_0; lra).
   apply Forall_forall. intros j Hj. apply Classical_Prop.NNPP. intros Hne. destruct (Rlt_le_dec 0 v) as [Hpos | Hneg].

@@ -3,11 +3,10 @@
     So the least thickness of an arch is attained, and so is the widest half-angle of a thickness;
     there every state moves.  To each thickness and friction belongs one half-angle with a mechanism.
 
-    Thrusts without bound are no exception: the arches in whose neighbourhood they are stand with the
-    thrust 2. *)
+    Thrusts of at most 1 are enough, so that their limit is one. *)
 
 From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
-From Couplet Require Import Surveys Mechanisms Room.
+From Couplet Require Import Surveys Mechanisms Thrusts Room.
 
 (** ** Limits, without choosing a sequence *)
 
@@ -27,9 +26,8 @@ Instance vicinity_is_filter : Filter vicinity.
 Proof.
   constructor.
   - exists 1. split; [lra | easy].
-  - intros P Q (d & Hd & HP) (e & He & HQ). assert (H := Rmin_glb_lt _ _ _ Hd He). assert (H1 := Rmin_l d e).
-    assert (H2 := Rmin_r d e). exists (Rmin d e). split; [easy|]. intros t Ht.
-    split; [apply HP | apply HQ]; apply (nearer (Rmin d e)); easy.
+  - intros P Q (d & Hd & HP) (e & He & HQ). destruct (below_both d e Hd He) as (c & Hc & H1 & H2). exists c.
+    split; [easy|]. intros t Ht. split; [apply HP | apply HQ]; apply (nearer c); easy.
   - intros P Q H (d & Hd & HP). exists d. split; [easy|]. intros t Ht. now apply H, HP.
 Qed.
 
@@ -90,9 +88,8 @@ Proof.
         [easy | exfalso]. enough (S (x0 + d)) by (assert (x0 + d <= x0) by (now apply Hupper); lra). intros d' Hd'.
       apply Classical_Prop.NNPP. intros Hnone. apply H. exists d'. split; [easy|]. intros x Hx Hhigh.
       apply Rnot_le_lt. intros Hle. apply Hnone. exists x. split; [lra | easy]. }
-    destruct Hbelow as (t & Ht & Hlow), Habove as (d' & Hd' & Hhigh). set (e := Rmin d d').
-    assert (He : 0 < e) by (now apply Rmin_glb_lt). assert (E1 : e <= d) by apply Rmin_l.
-    assert (E2 : e <= d') by apply Rmin_r. destruct (Ht e He) as (x & Hx & HP). exists x. split.
+    destruct Hbelow as (t & Ht & Hlow), Habove as (d' & Hd' & Hhigh).
+    destruct (below_both d d' Hd Hd') as (e & He & E1 & E2). destruct (Ht e He) as (x & Hx & HP). exists x. split.
     + assert (x < x0 + d) by (apply Hhigh; [apply (Hnearer e); [lra | easy] | lra]). apply Rabs_def1; lra.
     + apply (Hnearer e); [lra | easy].
 Qed.
@@ -105,8 +102,7 @@ Record state_of_arch := { at_alpha : R; at_eta : R; at_h : R; at_p : R }.
 Section Limit.
 
 Variables (delta mu alpha eta : R).
-Hypotheses (flag : 0 <= delta <= 1) (rough : 0 < mu) (opening : 0 < alpha <= PI)
-  (thickness : 0 <= eta <= 2).
+Hypotheses (flag : 0 <= delta <= 1) (rough : 0 < mu) (opening : 0 < alpha <= PI) (thickness : 0 <= eta <= 2).
 
 Definition is_near (d : R) (t : state_of_arch) : Prop :=
   Rabs (at_alpha t - alpha) < d /\ Rabs (at_eta t - eta) < d /\
@@ -150,8 +146,7 @@ Proof.
   { intros d Hd. destruct (Hp d Hd) as (x & Hx & t & Ht & Hclose & _ & ->). now exists t. }
   assert (Hnearer : forall d d' t, 0 < d <= d' -> near d t -> near d' t).
   { intros d d' t Hd (Ht & A & B). split; [now apply (is_nearer d) | split; lra]. }
-  assert (Te : tends _ near at_eta eta) by its_distance.
-  assert (Th : tends _ near at_h h) by its_distance.
+  assert (Te : tends _ near at_eta eta) by its_distance. assert (Th : tends _ near at_h h) by its_distance.
   assert (Tp : tends _ near at_p p) by its_distance.
   assert (Tmargins : forall x, tends _ near (fun t => shoulder_gap delta x (at_eta t) (at_h t) (at_p t))
     (shoulder_gap delta x eta h p) /\ tends _ near (fun t => haunch_gap delta x (at_eta t) (at_h t) (at_p t))
@@ -206,113 +201,16 @@ Proof.
   split; [easy|]. now apply (stands_by_margins delta alpha eta mu h p).
 Qed.
 
-(** *** Thrusts without bound *)
-
-Lemma limit_of_large_thrusts : (forall d, 0 < d -> exists t, is_near d t /\ / d < at_h t) ->
-  0 < eta /\ arch_stands delta alpha eta mu.
-Proof.
-  intros Hsome. assert (HPI := PI2_3_2). assert (HPI4 := PI_4). set (near := fun d t => is_near d t /\ / d < at_h t).
-  assert (Hnearer : forall d d' t, 0 < d <= d' -> near d t -> near d' t).
-  { intros d d' t Hd (Ht & Hh). split; [now apply (is_nearer d)|].
-    assert (/ d' <= / d) by (apply Rinv_le_contravar; lra). lra. }
-  assert (Ta : tends _ near at_alpha alpha) by its_distance.
-  assert (Te : tends _ near at_eta eta) by its_distance.
-  assert (Tinv : tends _ near (fun t => / at_h t) 0).
-  { intros eps Heps. exists eps. split; [easy|]. intros t (_ & Hh).
-    assert (0 < / eps) by (now apply Rinv_0_lt_compat). assert (0 < / at_h t) by (apply Rinv_0_lt_compat; lra).
-    rewrite Rminus_0_r, Rabs_pos_eq by lra. rewrite <- (Rinv_inv eps).
-    apply Rinv_lt_contravar; [apply Rmult_lt_0_compat; lra | easy]. }
-  assert (Tcos := tends_through _ near cos at_alpha alpha continuity_cos Ta).
-  assert (Tsin := tends_through _ near sin at_alpha alpha continuity_sin Ta).
-  (* friction at the shoulder *)
-  assert (Hslope : 0 <= mu * cos alpha + - sin alpha + 4 * (mu + 1) * 0).
-  { apply (limit_not_negative _ near (fun t => mu * cos (at_alpha t) + - sin (at_alpha t) + 4 * (mu + 1) * / at_h t)).
-    - now tending.
-    - intros d Hd. destruct (Hsome d Hd) as (t & Ht & Hh). exists t. split; [now split|].
-      destruct (facts_of_near d t Ht) as [Hpos _]. destruct Ht as (_ & _ & Ha & _ & Hall).
-      destruct (Hall (at_alpha t) ltac:(lra)) as [_ Hf]. unfold friction_holds in Hf. apply Rabs_le_between in Hf.
-      unfold normal_force, shear_force in Hf. set (a := at_alpha t) in *. set (h := at_h t) in *.
-      destruct (COS_bound a), (SIN_bound a). apply (Rmult_le_reg_r h); [easy|]. rewrite Rmult_0_l.
-      replace ((mu * cos a + - sin a + 4 * (mu + 1) * / h) * h)
-        with (mu * (h * cos a) - h * sin a + 4 * (mu + 1)) by (field; lra).
-      assert (mu * (a * sin a) <= mu * 4) by (apply Rmult_le_compat_l; [lra | nra]). assert (a * cos a <= 4) by nra.
-      lra. }
-  assert (Hlever : 0 <= extrados eta * cos alpha - intrados eta + 8 * 0).
-  { apply (limit_not_negative _ near
-             (fun t => extrados (at_eta t) * cos (at_alpha t) - intrados (at_eta t) + 8 * / at_h t)).
-    - unfold extrados, intrados. now tending.
-    - intros d Hd. destruct (Hsome d Hd) as (t & Ht & Hh). exists t. split; [now split|].
-      destruct (facts_of_near d t Ht) as [Hpos [Hlow _]]. destruct Ht as (_ & _ & Ha & He & Hall).
-      destruct (Hall (at_alpha t) ltac:(lra)) as [(_ & _ & Hout) _]. unfold normal_force in Hout.
-      set (a := at_alpha t) in *. set (h := at_h t) in *. set (e := at_eta t) in *. apply (Rmult_le_reg_r h); [easy|].
-      rewrite Rmult_0_l.
-      replace ((extrados e * cos a - intrados e + 8 * / h) * h)
-        with (extrados e * (h * cos a) - intrados e * h + 8) by (field; lra).
-      destruct (COS_bound a), (SIN_bound a). assert (0 <= fac delta e * (1 - cos a)).
-      { assert (Hfac := centroids_positive delta e ltac:(lra)). apply Rmult_le_pos; lra. }
-      assert (a * sin a <= 4) by nra.
-      assert (extrados e * (a * sin a) <= extrados e * 4) by (apply Rmult_le_compat_l; unfold extrados; lra).
-      assert (extrados e <= 2) by (unfold extrados; lra). lra. }
-  rewrite Rmult_0_r, Rplus_0_r in Hslope, Hlever. assert (Hsin : 0 <= sin alpha) by (apply sin_ge_0; lra).
-  assert (Hcos : 0 < cos alpha).
-  { destruct (Rle_lt_dec (cos alpha) 0) as [H | H]; [exfalso | easy]. assert (mu * cos alpha <= 0) by nra.
-    assert (E1 : mu * cos alpha = 0) by lra. assert (E2 : sin alpha = 0) by lra. assert (E3 : cos alpha = 0) by nra.
-    assert (Hcircle := circle alpha). rewrite E2, E3 in Hcircle. lra. }
-  assert (Hnarrow : alpha < PI / 2).
-  { apply Rnot_le_lt. intros H. assert (cos alpha <= 0) by (apply cos_le_0; lra). lra. }
-  assert (Hcos1 : cos alpha < 1) by (rewrite <- cos_0; apply cos_decreasing_1; lra). assert (He : 0 < eta).
-  { unfold extrados, intrados in Hlever. nra. }
-  split; [easy|]. exists 2, (2 * intrados eta).
-  assert (Hgrows := moment_of_weight_grows 0 alpha ltac:(lra) ltac:(lra) ltac:(lra)). rewrite sin_0, cos_0 in Hgrows.
-  assert (Hfac : fac delta eta <= extrados eta).
-  { unfold fac, extrados. assert (delta * eta ^ 2 <= 1 * eta ^ 2) by (apply Rmult_le_compat_r; nra). nra. }
-  assert (Hout : forall x, 0 <= x <= alpha ->
-            2 * intrados eta + fac delta eta * (1 - cos x) <= extrados eta * normal_force x 2).
-  { apply extrados_safe; try lra; unfold extrados, intrados, normal_force in *; try lra.
-    assert (fac delta eta * (1 - cos alpha) <= (1 + eta / 2) * (1 - cos alpha)) by (apply Rmult_le_compat_r; lra).
-    assert (0 <= (1 + eta / 2) * (alpha * sin alpha + cos alpha - 1)) by (apply Rmult_le_pos; lra). lra. }
-  intros x Hx. assert (Hsx : 0 <= sin x) by (apply sin_ge_0; lra).
-  assert (Hcx : cos alpha <= cos x) by (apply cos_decr_1; lra).
-  assert (Hsx' : sin x <= sin alpha) by (apply sin_incr_1; lra). assert (Hbelow : x * cos x <= sin x).
-  { destruct (Req_dec x 0) as [-> | Hne]; [rewrite sin_0; lra|]. apply Rlt_le, times_cosine_below_sine; lra. }
-  assert (Hhold : sin x <= mu * cos x).
-  { assert (mu * cos alpha <= mu * cos x) by (apply Rmult_le_compat_l; lra). lra. }
-  assert (Hwedge : 0 <= mu * (x * sin x)) by (repeat apply Rmult_le_pos; lra).
-  assert (0 <= x * cos x) by (apply Rmult_le_pos; lra). split; [split; [|split]|].
-  - unfold normal_force. assert (0 <= x * sin x) by (apply Rmult_le_pos; lra). lra.
-  - assert (Hfac1 := centroids_positive delta eta ltac:(lra)).
-    assert (0 <= fac delta eta * (1 - cos x)) by (apply Rmult_le_pos; destruct (COS_bound x); lra).
-    (* x sin x <= 2 (1 - cos x) *)
-    assert (Htwice : x * sin x <= 2 * (1 - cos x)).
-    { destruct (Req_dec x 0) as [-> | Hne]; [rewrite cos_0; lra|].
-      destruct (MVT_cor2 (fun t => 2 * (1 - cos t) - t * sin t) (fun t => sin t - t * cos t) 0 x)
-        as (c & Hc & Hin); [lra | |].
-      - intros c Hc. apply is_derive_Reals. auto_derive; [easy | ring].
-      - rewrite cos_0 in Hc. assert (c * cos c < sin c) by (apply times_cosine_below_sine; lra).
-        assert (0 <= (sin c - c * cos c) * (x - 0)) by (apply Rmult_le_pos; lra). lra. }
-    assert (0 <= intrados eta * (2 * (1 - cos x) - x * sin x)) by (apply Rmult_le_pos; [unfold intrados|]; lra).
-    unfold normal_force. lra.
-  - now apply Hout.
-  - unfold friction_holds, normal_force, shear_force. apply Rabs_le_between. split; lra.
-Qed.
-
 Theorem limit_of_arches_stands :
   (forall d, 0 < d -> exists alpha' eta', Rabs (alpha' - alpha) < d /\ Rabs (eta' - eta) < d /\
      0 < alpha' <= PI /\ 0 < eta' <= 2 /\ arch_stands delta alpha' eta' mu) ->
   0 < eta /\ arch_stands delta alpha eta mu.
 Proof.
-  intros Hsome. assert (Hstates : forall d, 0 < d -> exists t, is_near d t).
-  { intros d Hd. destruct (Hsome d Hd) as (a & e & Ha & He & Ha' & He' & h & p & Hall).
-    exists {| at_alpha := a; at_eta := e; at_h := h; at_p := p |}.
-    exact (conj Ha (conj He (conj Ha' (conj He' Hall)))). }
-  destruct (Classical_Prop.classic
-              (exists H, forall d, 0 < d -> exists t, is_near d t /\ at_h t <= H)) as [(H & HH) | Hnone].
-  - now apply (limit_of_bounded_thrusts H).
-  - apply limit_of_large_thrusts. intros d Hd. apply Classical_Prop.NNPP. intros Hno. apply Hnone. exists (/ d).
-    intros d' Hd'. set (e := Rmin d d'). assert (He : 0 < e) by (now apply Rmin_glb_lt).
-    assert (E1 : e <= d) by apply Rmin_l. assert (E2 : e <= d') by apply Rmin_r. destruct (Hstates e He) as (t & Ht).
-    exists t. split; [now apply (is_nearer e)|]. apply Rnot_lt_le. intros Hlarge. apply Hno. exists t.
-    split; [now apply (is_nearer e) | easy].
+  intros Hsome. apply (limit_of_bounded_thrusts 1). intros d Hd.
+  destruct (Hsome d Hd) as (a & e & Ha & He & Ha' & He' & Hstands).
+  destruct (thrust_at_most_one delta flag a e mu Ha' He' rough Hstands) as (h & p & Hh & Hall).
+  exists {| at_alpha := a; at_eta := e; at_h := h; at_p := p |}.
+  exact (conj (conj Ha (conj He (conj Ha' (conj He' Hall)))) Hh).
 Qed.
 
 End Limit.
@@ -338,17 +236,15 @@ Qed.
 
 (** An arch that stands with some thickness stands exactly from one thickness on, and moves there in
     each of its states. *)
-Theorem least_thickness_is_attained (delta alpha mu eta0 : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < mu -> 0 < eta0 <= 2 -> arch_stands delta alpha eta0 mu ->
-  exists eta, 0 < eta <= eta0 /\
-    (forall eta', 0 < eta' <= 2 -> arch_stands delta alpha eta' mu <-> eta <= eta') /\
-    (forall h p, admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p).
+Theorem least_thickness_is_attained (delta alpha mu eta0 : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < mu ->
+  0 < eta0 <= 2 -> arch_stands delta alpha eta0 mu -> exists eta, 0 < eta <= eta0 /\
+  (forall eta', 0 < eta' <= 2 -> arch_stands delta alpha eta' mu <-> eta <= eta') /\
+  (forall h p, admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p).
 Proof.
   intros Hd Ha Hmu He0 Hstands.
   destruct (least_is_attained (fun e => 0 < e <= eta0 /\ arch_stands delta alpha e mu) 0 eta0)
     as (eta & (He & Heta) & Hleast); [split; [lra | easy] | intros x Hx; lra | |].
-  { intros x Hx0 Hx.
-    destruct (limit_of_arches_stands delta mu alpha x Hd Hmu ltac:(lra) ltac:(lra)) as [Hpos H].
+  { intros x Hx0 Hx. destruct (limit_of_arches_stands delta mu alpha x Hd Hmu ltac:(lra) ltac:(lra)) as [Hpos H].
     - intros d Hd'. destruct (Hx d Hd') as (y & Hy & Hy0 & H). exists alpha, y.
       replace (alpha - alpha) with 0 by ring. rewrite Rabs_R0. repeat split; try easy; lra.
     - split; [lra | easy]. }
@@ -383,11 +279,9 @@ Proof.
   repeat split; try easy; [apply (Rmult_eq_reg_l s) | apply (Rmult_eq_reg_l t)]; lra.
 Qed.
 
-(** and then it moves the arch at each thickness that stands, as the thrust is the same in all
-    states. *)
-Theorem sliding_does_not_see_the_thickness (sigma alpha mu h h' : R) :
-  0 < sigma -> 0 < alpha -> 0 < normal_force sigma h -> 0 < normal_force alpha h ->
-  inward_gap sigma mu h = 0 -> outward_gap alpha mu h = 0 ->
+(** and then it moves the arch at each thickness that stands, as the thrust is the same in all states. *)
+Theorem sliding_does_not_see_the_thickness (sigma alpha mu h h' : R) : 0 < sigma -> 0 < alpha ->
+  0 < normal_force sigma h -> 0 < normal_force alpha h -> inward_gap sigma mu h = 0 -> outward_gap alpha mu h = 0 ->
   0 <= inward_gap sigma mu h' -> 0 <= outward_gap alpha mu h' -> h' = h.
 Proof.
   intros Hs Ha HNs HNa HI HO HI' HO'. destruct (slip_rows_are_scaled sigma mu h h' HNs) as [Hin _].
@@ -410,10 +304,8 @@ Theorem one_half_angle (delta eta mu : R) : 0 <= delta <= 1 -> 0 < eta <= 2 -> 0
 Proof.
   intros Hd He Hmu. assert (HPI := PI_RGT_0).
   destruct (narrow_arch_stands delta eta mu He Hmu) as (alpha0 & Ha0 & Hstands0).
-  assert (Hflat : ~ arch_stands delta PI eta mu).
-  { intros (h & p & Hall). assert (Hh : 0 < h).
-    { apply (friction_needs_thrust PI mu); [lra | lra|]. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. now split. }
-    destruct (Hall PI ltac:(lra)) as [(HN & _) _]. unfold normal_force in HN. rewrite cos_PI, sin_PI in HN. lra. }
+  assert (Hflat : ~ arch_stands delta PI eta mu)
+    by (intros H; apply (no_flat_arch delta) in H; lra).
   destruct (least_is_attained (fun x => alpha0 <= PI - x /\ 0 <= x /\
     arch_stands delta (PI - x) eta mu) 0 (PI - alpha0)) as (x & (Hx & Hx0 & Hstands) & Hleast).
   { replace (PI - (PI - alpha0)) with alpha0 by ring. repeat split; try lra. exact Hstands0. }
@@ -461,10 +353,9 @@ Proof.
   assert (Hat : stands T).
   { destruct (Req_dec T 0) as [-> | Hne]; [easy |]. destruct (Hway T ltac:(lra)) as ((Ha & Ca) & He & Ce).
     apply (limit_of_arches_stands delta mu (alpha T) (eta T)); try easy; try lra. intros d Hd'.
-    destruct (Ca d Hd') as (d1 & Hd1 & H1), (Ce d Hd') as (d2 & Hd2 & H2). set (e := Rmin T (Rmin d1 d2)).
-    assert (0 < e) by (unfold e; repeat apply Rmin_glb_lt; lra). assert (L := Rmin_l T (Rmin d1 d2)).
-    assert (L' := Rmin_r T (Rmin d1 d2)). assert (M := Rmin_l d1 d2). assert (M' := Rmin_r d1 d2). fold e in L, L'.
-    exists (alpha (T - e / 2)), (eta (T - e / 2)).
+    destruct (Ca d Hd') as (d1 & Hd1 & H1), (Ce d Hd') as (d2 & Hd2 & H2).
+    destruct (below_both d1 d2 Hd1 Hd2) as (e0 & He0 & M & M').
+    destruct (below_both T e0) as (e & Hpos & L & L'); [lra | easy |]. exists (alpha (T - e / 2)), (eta (T - e / 2)).
     assert (Hnear : forall d, e <= d -> D_x no_cond T (T - e / 2) /\ Rabs (T - e / 2 - T) < d)
       by (intros d' Hle; split; [split; [easy | lra] | apply Rabs_def1; lra]).
     destruct (Hway (T - e / 2) ltac:(lra)) as ((Ha' & _) & He' & _). assert (S := Hbelow (T - e / 2) ltac:(lra)).

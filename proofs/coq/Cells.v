@@ -1,10 +1,9 @@
 (** * Cells of the map: two corners are enough
 
-    What tells the mode of a point of the map: the thrust [hR] of the rotational state of its thickness,
-    the thrust [hs] at which an inner joint slides, the half-angle [alphaP] that just slides. No other
-    mode than the one told can move an arch there. And from a point with more friction and less
-    thickness to one with less and more the modes come in one order, so that between two points of one
-    mode there is no other. *)
+    What tells the mode of a point of the map: the thrust [hR] of the rotational state of its thickness, the thrust
+    [hs] at which an inner joint slides, the half-angle [alphaP] that just slides. No other mode than the one told can
+    move an arch there. And from a point with more friction and less thickness to one with less and more the modes
+    come in one order, so that between two points of one mode there is no other. *)
 
 From Coq Require Import Lia.
 From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
@@ -16,8 +15,7 @@ Definition shoulder_room (delta alpha beta eta h : R) : R :=
   shoulder_gap delta alpha eta h 0 + haunch_gap delta beta eta h 0.
 
 Lemma shoulder_room_of_state (delta alpha beta eta h p : R) :
-  shoulder_room delta alpha beta eta h
-  = shoulder_gap delta alpha eta h p + haunch_gap delta beta eta h p.
+  shoulder_room delta alpha beta eta h = shoulder_gap delta alpha eta h p + haunch_gap delta beta eta h p.
 Proof. unfold shoulder_room, shoulder_gap, haunch_gap. ring. Qed.
 
 (** ** Where a shoulder just slides *)
@@ -29,8 +27,7 @@ Proof.
   intros Ha Hmu Hh HO. destruct (Req_dec (outward_gap alpha mu h) 0) as [E | E].
   { exists alpha. split; [lra | easy]. }
   assert (Hcontinuous : continuity (fun x => - outward_gap x mu h))
-    by (unfold outward_gap, normal_force, shear_force; reg).
-  assert (Hpi : outward_gap PI mu h < 0).
+    by (unfold outward_gap, normal_force, shear_force; reg). assert (Hpi : outward_gap PI mu h < 0).
   { unfold outward_gap, normal_force, shear_force. rewrite cos_PI, sin_PI.
     assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra. }
   destruct (IVT (fun x => - outward_gap x mu h) alpha PI Hcontinuous ltac:(lra) ltac:(lra) ltac:(lra))
@@ -38,8 +35,7 @@ Proof.
 Qed.
 
 (** and there is one. *)
-Lemma one_shoulder_just_slides (alpha alpha' mu h : R) :
-  0 < alpha < PI -> 0 < alpha' < PI -> 0 < mu -> 0 < h ->
+Lemma one_shoulder_just_slides (alpha alpha' mu h : R) : 0 < alpha < PI -> 0 < alpha' < PI -> 0 < mu -> 0 < h ->
   0 <= outward_gap alpha mu h -> outward_gap alpha' mu h = 0 -> alpha <= alpha'.
 Proof.
   intros Ha Ha' Hmu Hh HO EO. apply Rnot_lt_le. intros H.
@@ -63,11 +59,10 @@ Qed.
 
 (** With enough friction it is admissible. *)
 Lemma rotation_with_enough_friction (delta alpha beta eta : R) : 0 <= delta <= 1 -> 0 < beta < alpha -> alpha < PI ->
-  0 < eta < 2 -> rotational_state delta alpha beta eta ->
-  let h := h_lower delta beta eta in let p := extrados eta * h in
-  0 < h /\ crown_gap eta h p = 0 /\ haunch_gap delta beta eta h p = 0 /\
-  shoulder_gap delta alpha eta h p = 0 /\ 0 < normal_force alpha h /\
-  exists mu, 0 < mu /\ admissible_state delta alpha eta mu h p.
+  0 < eta < 2 -> rotational_state delta alpha beta eta -> let h := h_lower delta beta eta in
+  let p := extrados eta * h in 0 < h /\ crown_gap eta h p = 0 /\ haunch_gap delta beta eta h p = 0 /\
+  shoulder_gap delta alpha eta h p = 0 /\ 0 < normal_force alpha h /\ exists mu, 0 < mu /\
+  admissible_state delta alpha eta mu h p.
 Proof.
   intros Hd Hb Ha He Hstate h p. assert (Hh := rotational_thrust_positive delta alpha beta eta ltac:(lra) He Hstate).
   assert (Hstands := rotational_state_stands delta alpha beta eta ltac:(lra) ltac:(lra) ltac:(lra) He Hstate).
@@ -159,8 +154,7 @@ Qed.
 
 (** Under a crown that turns the shoulder turns or slides as that of the rotational state asks for less
     friction or for more. *)
-Lemma shoulder_of_rotation : (rank m < 2)%nat ->
-  (m = RRR -> mu_ss alpha0 (h_lower delta beta0 eta) <= mu) /\
+Lemma shoulder_of_rotation : (rank m < 2)%nat -> (m = RRR -> mu_ss alpha0 (h_lower delta beta0 eta) <= mu) /\
   (m = SRR -> mu <= mu_ss alpha0 (h_lower delta beta0 eta)).
 Proof.
   intros Hr. destruct moved as (h & p & beta & sigma & S & L).
@@ -177,8 +171,7 @@ Proof.
   - simpl in L. tauto.
 Qed.
 
-Theorem mode_under_a_crown : (rank m < 2)%nat ->
-  (mu_ss alpha0 (h_lower delta beta0 eta) < mu -> m = RRR) /\
+Theorem mode_under_a_crown : (rank m < 2)%nat -> (mu_ss alpha0 (h_lower delta beta0 eta) < mu -> m = RRR) /\
   (mu < mu_ss alpha0 (h_lower delta beta0 eta) -> m = SRR).
 Proof.
   intros Hr. destruct (shoulder_of_rotation Hr) as [H1 H2]. destruct m; simpl in Hr; try lia.
@@ -201,10 +194,9 @@ Proof.
   intros Hs Emu Hr HaP EOP HbT Htouch Hcrown. assert (HPI := PI_RGT_0).
   destruct moved as (h & p & beta & sigma & S & L). destruct (slip_of_mode Hr L) as [Hsigma EI].
   destruct (slides_at_steepest_joint S flag opening thickness rough sigma Hsigma EI
-              (shoulder_of_mode L)) as (H1 & Esigma & _ & Eh).
-  assert (Hh := thrust_positive S opening rough). assert (E : h = hs) by (apply mu_is_injective; lra). subst h.
-  assert (Hgaps := margins_not_negative S). assert (HL := haunch_not_negative S).
-  destruct (Hgaps alpha ltac:(lra)) as (HU & _ & _ & HO).
+              (shoulder_of_mode L)) as (H1 & Esigma & _ & Eh). assert (Hh := thrust_positive S opening rough).
+  assert (E : h = hs) by (apply mu_is_injective; lra). subst h. assert (Hgaps := margins_not_negative S).
+  assert (HL := haunch_not_negative S). destruct (Hgaps alpha ltac:(lra)) as (HU & _ & _ & HO).
   assert (Hwithin := one_shoulder_just_slides alpha alphaP mu hs opening HaP rough Hh HO EOP).
   destruct (Compare_dec.le_lt_dec 5 (rank m)) as [R5 | R5].
   - (* pure sliding *)
@@ -240,8 +232,7 @@ End Point.
 
 (** ** Between two points *)
 
-(** Pure sliding goes on with less friction: along it the shoulder gains room with each haunch up to a
-    right angle. *)
+(** Pure sliding goes on with less friction: along it the shoulder gains room with each haunch up to a right angle. *)
 Definition sliding_gains_room (delta : R) : Prop :=
   forall alpha eta mu arch eta' mu' m,
     0 < alpha < PI -> 0 < arch < PI -> 0 < eta <= eta' -> eta' <= 2 -> 0 < mu' < mu ->
@@ -257,11 +248,10 @@ Definition slides_at_small_thrust (delta : R) : Prop :=
     0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu -> admissible_state delta alpha eta mu h p ->
     (2 <= rank m)%nat -> (rank m < 5)%nat -> has_limits delta alpha eta mu h p beta sigma m -> h <= 1 / 2.
 
-Lemma sliding_goes_on (delta alpha1 eta1 mu1 alpha2 eta2 mu2 : R) (m : mode) :
-  0 <= delta <= 1 -> sliding_gains_room delta ->
-  0 < alpha1 < PI -> 0 < alpha2 < PI -> 0 < eta1 <= eta2 -> eta2 <= 2 -> 0 < mu2 -> mu2 < mu1 ->
-  (2 <= rank m)%nat -> (rank m < 5)%nat ->
-  mode_moves delta alpha1 eta1 mu1 SS -> ~ mode_moves delta alpha2 eta2 mu2 m.
+Lemma sliding_goes_on (delta alpha1 eta1 mu1 alpha2 eta2 mu2 : R) (m : mode) : 0 <= delta <= 1 ->
+  sliding_gains_room delta -> 0 < alpha1 < PI -> 0 < alpha2 < PI -> 0 < eta1 <= eta2 -> eta2 <= 2 -> 0 < mu2 ->
+  mu2 < mu1 -> (2 <= rank m)%nat -> (rank m < 5)%nat -> mode_moves delta alpha1 eta1 mu1 SS ->
+  ~ mode_moves delta alpha2 eta2 mu2 m.
 Proof.
   intros Hd Hgain Ha1 Ha2 He He2 Hmu2 Hmu R2 R5 M1 M2. assert (HPI := PI2_3_2).
   assert (Hgain' := Hgain alpha1 eta1 mu1 alpha2 eta2 mu2 m Ha1 Ha2 He He2 (conj Hmu2 Hmu) R2 R5 M1 M2).
@@ -342,10 +332,9 @@ Proof.
 Qed.
 
 (** From more friction and less thickness to less and more the modes come in one order, *)
-Theorem modes_in_order (delta alpha1 eta1 mu1 alpha2 eta2 mu2 : R) (m1 m2 : mode) :
-  0 <= delta <= 1 -> friction_grows delta -> slides_at_small_thrust delta -> sliding_gains_room delta ->
-  0 < alpha1 < PI -> 0 < alpha2 < PI -> 0 < eta1 <= eta2 -> eta2 <= 2 -> 0 < mu2 <= mu1 ->
-  eta1 < eta2 \/ mu2 < mu1 ->
+Theorem modes_in_order (delta alpha1 eta1 mu1 alpha2 eta2 mu2 : R) (m1 m2 : mode) : 0 <= delta <= 1 ->
+  friction_grows delta -> slides_at_small_thrust delta -> sliding_gains_room delta -> 0 < alpha1 < PI ->
+  0 < alpha2 < PI -> 0 < eta1 <= eta2 -> eta2 <= 2 -> 0 < mu2 <= mu1 -> eta1 < eta2 \/ mu2 < mu1 ->
   mode_moves delta alpha1 eta1 mu1 m1 -> mode_moves delta alpha2 eta2 mu2 m2 -> (rank m1 <= rank m2)%nat.
 Proof.
   intros Hd Hgrows Hsmall Hgain Ha1 Ha2 He He2 Hmu Hstrict M1 M2. destruct (Req_dec mu1 mu2) as [Emu | Emu].
@@ -384,18 +373,15 @@ Proof.
 Qed.
 
 (** so that between two points of one mode there is no other. *)
-Theorem cell_of_one_mode (delta alpha1 eta1 mu1 alpha eta mu alpha2 eta2 mu2 : R) (m m' : mode) :
-  0 <= delta <= 1 -> friction_grows delta -> slides_at_small_thrust delta -> sliding_gains_room delta ->
-  0 < alpha1 < PI -> 0 < alpha < PI -> 0 < alpha2 < PI ->
-  0 < eta1 <= eta -> eta <= eta2 <= 2 -> 0 < mu2 <= mu -> mu <= mu1 ->
-  eta1 < eta \/ mu < mu1 -> eta < eta2 \/ mu2 < mu ->
-  mode_moves delta alpha1 eta1 mu1 m -> mode_moves delta alpha2 eta2 mu2 m ->
-  mode_moves delta alpha eta mu m' -> m' = m.
+Theorem cell_of_one_mode (delta alpha1 eta1 mu1 alpha eta mu alpha2 eta2 mu2 : R) (m m' : mode) : 0 <= delta <= 1 ->
+  friction_grows delta -> slides_at_small_thrust delta -> sliding_gains_room delta -> 0 < alpha1 < PI ->
+  0 < alpha < PI -> 0 < alpha2 < PI -> 0 < eta1 <= eta -> eta <= eta2 <= 2 -> 0 < mu2 <= mu -> mu <= mu1 ->
+  eta1 < eta \/ mu < mu1 -> eta < eta2 \/ mu2 < mu -> mode_moves delta alpha1 eta1 mu1 m ->
+  mode_moves delta alpha2 eta2 mu2 m -> mode_moves delta alpha eta mu m' -> m' = m.
 Proof.
   intros Hd Hgrows Hsmall Hgain Ha1 Ha Ha2 He He2 Hmu Hmu1 N1 N2 M1 M2 M.
   assert (H1 := modes_in_order delta alpha1 eta1 mu1 alpha eta mu m m' Hd Hgrows Hsmall Hgain Ha1 Ha
                   ltac:(lra) ltac:(lra) ltac:(lra) N1 M1 M).
   assert (H2 := modes_in_order delta alpha eta mu alpha2 eta2 mu2 m' m Hd Hgrows Hsmall Hgain Ha Ha2
-                  ltac:(lra) ltac:(lra) ltac:(lra) N2 M M2).
-  destruct m, m'; simpl in H1, H2; try lia; easy.
+                  ltac:(lra) ltac:(lra) ltac:(lra) N2 M M2). destruct m, m'; simpl in H1, H2; try lia; easy.
 Qed.

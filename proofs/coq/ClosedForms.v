@@ -1,15 +1,14 @@
 (** * The closed forms (9)-(11) over the complex numbers
 
-    Each printed formula is a root of its cubic (7), for every choice of the square root (12) (any
-    [root] with [root^2] equal to the radicand), for every choice of the cube root (any [u] with
-    [u^3] equal to the printed base, not 0) and for both printed signs.
+    Each printed formula is a root of its cubic (7), for every choice of the square root (12) (any [root] with
+    [root^2] equal to the radicand), for every choice of the cube root (any [u] with [u^3] equal to the printed base,
+    not 0) and for both printed signs.
 
-    The factors [1 + i sqrt 3], [1 - i sqrt 3] are cube roots of -8; with the third one, -2, which
-    the paper does not print, one gets the third root, and the cubic is the product of the three
-    linear factors: nothing is lost.
+    The factors [1 + i sqrt 3], [1 - i sqrt 3] are cube roots of -8; with the third one, -2, which the paper does not
+    print, one gets the third root, and the cubic is the product of the three linear factors: nothing is lost.
 
-    [f], [g], [S] are any complex numbers here, with [S] and, for (9), [3 g - 2 S] not 0; in the
-    arch both are positive, and so is what could make [u] vanish in (9) and (10). *)
+    [f], [g], [S] are any complex numbers here, with [S] and, for (9), [3 g - 2 S] not 0; in the arch both are
+    positive, and so is what could make [u] vanish in (9) and (10). *)
 
 From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -83,8 +82,7 @@ Ltac C_nonzero :=
 (** (7), (12) over C. *)
 Definition cubic_A (f g S A : C) : C :=
   S ^ 2 * (3 * g - 2 * S) * A ^ 3 + 3 * g * S * (g - f) * A ^ 2 - 3 * f * g ^ 2 * A + 2 * g ^ 3.
-Definition cubic_eta (f g S eta : C) : C :=
-  S * eta ^ 3 + 3 * (f + g) * eta ^ 2 - 12 * (g - S) * eta + 12 * (g - f).
+Definition cubic_eta (f g S eta : C) : C := S * eta ^ 3 + 3 * (f + g) * eta ^ 2 - 12 * (g - S) * eta + 12 * (g - f).
 Definition cubic_h (f g S h : C) : C :=
   6 * S ^ 2 * h ^ 3 - 3 * S * (3 * f - g - 2 * S) * h ^ 2 - 3 * (g - f) * (f - 2 * S) * h
   + 2 * (g - f) ^ 2.
@@ -108,8 +106,7 @@ Proof. unfold radicand_printed, radicand_C. push_RtoC. ring. Qed.
 
 (** The signs that the formulas leave open, and the factor that goes with them. *)
 Inductive branch := plus | minus | unprinted.
-Definition opposite (b : branch) : branch :=
-  match b with plus => minus | minus => plus | unprinted => unprinted end.
+Definition opposite (b : branch) : branch := match b with plus => minus | minus => plus | unprinted => unprinted end.
 Definition factor (b : branch) : C :=
   match b with plus => 1 + Ci * sqrt 3 | minus => 1 - Ci * sqrt 3 | unprinted => - (2) end.
 
@@ -120,8 +117,7 @@ Definition two_to_two_thirds : C := Rpower 2 (2 / 3).
 Definition base_A (f g S root : C) : C :=
   (g - f) * (2 * (f + g) ^ 2 + f * (g - 6 * S)) + 2 * S * (3 * g - 2 * S) ^ 2
   + (3 * g - 2 * S) * root.
-Definition base_eta (f g S root : C) : C :=
-  (f + g) ^ 3 + 6 * g * S * (f + g) - 12 * f * S ^ 2 + 2 * S * root.
+Definition base_eta (f g S root : C) : C := (f + g) ^ 3 + 6 * g * S * (f + g) - 12 * f * S ^ 2 + 2 * S * root.
 Definition base_h (f g S root : C) : C :=
   - g * (9 * f ^ 2 - g ^ 2)
   - 2 * S * (9 * f * (g - f) - 12 * g * (g - S) - 4 * S ^ 2) + 3 * (g - f) * root.
@@ -250,18 +246,15 @@ Proof.
                  * (W - cardano unprinted (g * p) (g * t))) / (S * L ^ 2)).
   - rewrite cardano_factors.
     replace (W ^ 3 - 3 * (g * p * (g * t)) * W + ((g * p) ^ 3 + (g * t) ^ 3))
-      with (W ^ 3 - 3 * g ^ 2 * (p * t) * W + g ^ 3 * (p ^ 3 + t ^ 3)) by ring.
-    rewrite Hpt, Hsum.
+      with (W ^ 3 - 3 * g ^ 2 * (p * t) * W + g ^ 3 * (p ^ 3 + t ^ 3)) by ring. rewrite Hpt, Hsum.
     replace (W ^ 3 - 3 * g ^ 2 * q * W + g ^ 3 * P) with (S * L ^ 2 * cubic_A f g S X)
-      by (unfold W, q, P, L, cubic_A; ring).
-    field. C_nonzero.
+      by (unfold W, q, P, L, cubic_A; ring). field. C_nonzero.
   - unfold W. field. C_nonzero.
 Qed.
 
 (** Each branch of (9) is a root of the first cubic (7). *)
 Theorem closed_form_9 (b : branch) (f g S root u : C) : S <> 0 -> 3 * g - 2 * S <> 0 -> u <> 0 ->
-  root ^ 2 = radicand_C f g S -> u ^ 3 = base_A f g S root ->
-  cubic_A f g S (closed_A b f g S u) = 0.
+  root ^ 2 = radicand_C f g S -> u ^ 3 = base_A f g S root -> cubic_A f g S (closed_A b f g S u) = 0.
 Proof.
   intros. rewrite (cubic_in_opening_factors f g S root u) by assumption. apply (product_zero b). now destruct b.
 Qed.
@@ -290,9 +283,8 @@ Proof.
 Qed.
 
 (** Each branch of (10) is a root of the second cubic (7). *)
-Theorem closed_form_10 (b : branch) (f g S root u : C) :
-  S <> 0 -> u <> 0 -> root ^ 2 = radicand_C f g S -> u ^ 3 = base_eta f g S root ->
-  cubic_eta f g S (closed_eta b f g S u) = 0.
+Theorem closed_form_10 (b : branch) (f g S root u : C) : S <> 0 -> u <> 0 -> root ^ 2 = radicand_C f g S ->
+  u ^ 3 = base_eta f g S root -> cubic_eta f g S (closed_eta b f g S u) = 0.
 Proof.
   intros. rewrite (cubic_in_thickness_factors f g S root u) by assumption. apply (product_zero b). now destruct b.
 Qed.
@@ -322,9 +314,8 @@ Proof.
 Qed.
 
 (** Each branch of (11) is a root of the third cubic (7). *)
-Theorem closed_form_11 (b : branch) (f g S root u : C) :
-  S <> 0 -> u <> 0 -> root ^ 2 = radicand_C f g S -> u ^ 3 = base_h f g S root ->
-  cubic_h f g S (closed_h b f g S u) = 0.
+Theorem closed_form_11 (b : branch) (f g S root u : C) : S <> 0 -> u <> 0 -> root ^ 2 = radicand_C f g S ->
+  u ^ 3 = base_h f g S root -> cubic_h f g S (closed_h b f g S u) = 0.
 Proof.
   intros. rewrite (cubic_in_thrust_factors f g S root u) by assumption. apply (product_zero b). now destruct b.
 Qed.
@@ -335,9 +326,8 @@ Qed.
     do not vanish, whatever square root is chosen; and a real value of a formula is a root of the
     real cubic, so that (10) gives a thickness for which (2) and (5) agree. *)
 
-Lemma cube_root_9_nonzero (f g S root u : C) :
-  (f + g) ^ 2 - f * (g + 2 * S) <> 0 ->
-  root ^ 2 = radicand_C f g S -> u ^ 3 = base_A f g S root -> u <> 0.
+Lemma cube_root_9_nonzero (f g S root u : C) : (f + g) ^ 2 - f * (g + 2 * S) <> 0 -> root ^ 2 = radicand_C f g S ->
+  u ^ 3 = base_A f g S root -> u <> 0.
 Proof.
   intros Hq Hroot Hbase Hu. apply (C_power_nonzero _ 3 Hq). apply (C_integral 4); [|C_nonzero].
   transitivity (base_A f g S root * base_A f g S (- root)).
@@ -347,9 +337,8 @@ Proof.
   - rewrite <- Hbase, Hu. ring.
 Qed.
 
-Lemma cube_root_10_nonzero (f g S root u : C) :
-  (f + g) ^ 2 + 4 * S * (g - S) <> 0 ->
-  root ^ 2 = radicand_C f g S -> u ^ 3 = base_eta f g S root -> u <> 0.
+Lemma cube_root_10_nonzero (f g S root u : C) : (f + g) ^ 2 + 4 * S * (g - S) <> 0 -> root ^ 2 = radicand_C f g S ->
+  u ^ 3 = base_eta f g S root -> u <> 0.
 Proof.
   intros Hq Hroot Hbase Hu. apply (C_power_nonzero _ 3 Hq).
   transitivity (base_eta f g S root * base_eta f g S (- root)).
@@ -383,9 +372,8 @@ Proof.
   assert (0 <= (f_of beta + g_of beta) ^ 2) by apply pow2_ge_0. nra.
 Qed.
 
-Theorem closed_form_9_in_the_arch (b : branch) (beta x : R) (root u : C) : 0 < beta < PI ->
-  let f := f_of beta in let g := g_of beta in let S := sin beta in
-  (root ^ 2)%C = radicand_printed f g S -> (u ^ 3)%C = base_A f g S root ->
+Theorem closed_form_9_in_the_arch (b : branch) (beta x : R) (root u : C) : 0 < beta < PI -> let f := f_of beta in
+  let g := g_of beta in let S := sin beta in (root ^ 2)%C = radicand_printed f g S -> (u ^ 3)%C = base_A f g S root ->
   RtoC x = closed_A b f g S u -> pol_A_printed f g S x = 0.
 Proof.
   intros Hb f g S Hroot Hbase Hx. rewrite radicand_on_reals in Hroot. apply RtoC_inj. rewrite cubic_A_on_reals, Hx.
@@ -396,11 +384,10 @@ Proof.
     apply Rgt_not_eq, RtoC_nonzero in Hq. intros H. apply Hq. rewrite <- H. push_RtoC. ring.
 Qed.
 
-Theorem closed_form_10_in_the_arch (b : branch) (beta x : R) (root u : C) : 0 < beta < PI ->
-  let f := f_of beta in let g := g_of beta in let S := sin beta in
-  (root ^ 2)%C = radicand_printed f g S -> (u ^ 3)%C = base_eta f g S root ->
-  RtoC x = closed_eta b f g S u ->
-  pol_eta_printed f g S x = 0 /\ (0 < x < 2 -> h_lower 1 beta x = h_tangency 1 beta x).
+Theorem closed_form_10_in_the_arch (b : branch) (beta x : R) (root u : C) : 0 < beta < PI -> let f := f_of beta in
+  let g := g_of beta in let S := sin beta in (root ^ 2)%C = radicand_printed f g S ->
+  (u ^ 3)%C = base_eta f g S root -> RtoC x = closed_eta b f g S u -> pol_eta_printed f g S x = 0 /\
+  (0 < x < 2 -> h_lower 1 beta x = h_tangency 1 beta x).
 Proof.
   intros Hb f g S Hroot Hbase Hx. rewrite radicand_on_reals in Hroot. assert (Hpol : pol_eta_printed f g S x = 0).
   { apply RtoC_inj. rewrite cubic_eta_on_reals, Hx. apply (closed_form_10 b f g S root u); try easy.
@@ -411,10 +398,9 @@ Proof.
 Qed.
 
 (** In (11) the cube root can vanish for some haunch and square root, so that this is asked for. *)
-Theorem closed_form_11_in_the_arch (b : branch) (beta x : R) (root u : C) : 0 < beta < PI ->
-  let f := f_of beta in let g := g_of beta in let S := sin beta in
-  u <> RtoC 0 -> (root ^ 2)%C = radicand_printed f g S -> (u ^ 3)%C = base_h f g S root ->
-  RtoC x = closed_h b f g S u -> pol_h_printed f g S x = 0.
+Theorem closed_form_11_in_the_arch (b : branch) (beta x : R) (root u : C) : 0 < beta < PI -> let f := f_of beta in
+  let g := g_of beta in let S := sin beta in u <> RtoC 0 -> (root ^ 2)%C = radicand_printed f g S ->
+  (u ^ 3)%C = base_h f g S root -> RtoC x = closed_h b f g S u -> pol_h_printed f g S x = 0.
 Proof.
   intros Hb f g S Hu Hroot Hbase Hx. rewrite radicand_on_reals in Hroot. apply RtoC_inj. rewrite cubic_h_on_reals, Hx.
   apply (closed_form_11 b f g S root u); try easy. apply RtoC_nonzero, Rgt_not_eq, sin_gt_0; lra.

@@ -53,14 +53,13 @@ Lemma a_little_way (forms : list (V -> R)) x y : (forall f, In f forms -> affine
   exists e, 0 < e /\ forall t, 0 < t <= e -> forall f, In f forms -> 0 < f (line x y t).
 Proof.
   induction forms as [| f forms IH]; intros H; [exists 1; split; [lra | easy] |].
-  destruct IH as (e & He & Hall); [intros g Hg; apply H; now right |].
-  destruct (H f (or_introl eq_refl)) as [Ha Hf]. set (D := Rabs (f y - f x) + 1).
-  assert (HD : 0 < D) by (unfold D; assert (A := Rabs_pos (f y - f x)); lra).
+  destruct IH as (e & He & Hall); [intros g Hg; apply H; now right |]. destruct (H f (or_introl eq_refl)) as [Ha Hf].
+  set (D := Rabs (f y - f x) + 1). assert (HD : 0 < D) by (unfold D; assert (A := Rabs_pos (f y - f x)); lra).
   exists (Rmin e (f x / (2 * D))). split; [apply Rmin_glb_lt; [easy | apply Rdiv_lt_0_compat; lra] |].
   intros t [Ht Ht'] g [<- | Hg].
-  - rewrite Ha. assert (B := Rle_trans _ _ _ Ht' (Rmin_r _ _)).
-    apply (Rmult_le_compat_r D) in B; [| lra]. replace (f x / (2 * D) * D) with (f x / 2) in B by (field; lra).
-    assert (A := Rle_abs (- (f y - f x))). rewrite Rabs_Ropp in A. unfold D in B. nra.
+  - rewrite Ha. assert (B := Rle_trans _ _ _ Ht' (Rmin_r _ _)). apply (Rmult_le_compat_r D) in B; [| lra].
+    replace (f x / (2 * D) * D) with (f x / 2) in B by (field; lra). assert (A := Rle_abs (- (f y - f x))).
+    rewrite Rabs_Ropp in A. unfold D in B. nra.
   - apply Hall; [| easy]. assert (B := Rle_trans _ _ _ Ht' (Rmin_l _ _)). lra.
 Qed.
 
@@ -69,9 +68,8 @@ Lemma level (inside : V -> Prop) (f g : V -> R) c x y : affine f -> affine g -> 
   (forall z, inside z -> f z = 0 -> g z = c) -> inside x -> inside y -> f x <> f y ->
   g x * f y - g y * f x = c * (f y - f x).
 Proof.
-  intros Hf Hg Hlines Hc Hx Hy Hne. set (t := f x / (f x - f y)).
-  assert (E := Hc (line x y t) (Hlines _ _ _ Hx Hy)). rewrite Hf, Hg in E.
-  rewrite <- E by (unfold t; field; lra). unfold t. field. lra.
+  intros Hf Hg Hlines Hc Hx Hy Hne. set (t := f x / (f x - f y)). assert (E := Hc (line x y t) (Hlines _ _ _ Hx Hy)).
+  rewrite Hf, Hg in E. rewrite <- E by (unfold t; field; lra). unfold t. field. lra.
 Qed.
 
 (** Either all forms are positive at one point of a part of the space that has the lines through its points, or a sum of

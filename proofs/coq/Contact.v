@@ -24,8 +24,7 @@ Definition joint_stands (delta beta eta h p : R) : Prop :=
 
 (** Where there is compression this is what it says. *)
 Theorem joint_stands_iff_thrust_inside (delta beta eta h crown : R) : 0 < normal_force beta h ->
-  joint_stands delta beta eta h (h * crown) <->
-  intrados eta <= pressure_point delta beta eta h crown <= extrados eta.
+  joint_stands delta beta eta h (h * crown) <-> intrados eta <= pressure_point delta beta eta h crown <= extrados eta.
 Proof.
   intros HN. unfold joint_stands, pressure_point. set (N := normal_force beta h) in *. set (M := h * crown + _).
   assert (E : M = M / N * N) by (field; lra). split; intros H; [split|repeat split]; nra.
@@ -140,9 +139,8 @@ End Shape.
 
 (** The extrados is safe as soon as it is at crown and shoulder. *)
 Theorem extrados_safe (delta alpha eta h p : R) : 0 <= extrados eta -> 0 < alpha < PI -> p <= extrados eta * h ->
-  p + fac delta eta * (1 - cos alpha) <= extrados eta * normal_force alpha h ->
-  forall x, 0 <= x <= alpha ->
-    p + fac delta eta * (1 - cos x) <= extrados eta * normal_force x h.
+  p + fac delta eta * (1 - cos alpha) <= extrados eta * normal_force alpha h -> forall x, 0 <= x <= alpha ->
+  p + fac delta eta * (1 - cos x) <= extrados eta * normal_force x h.
 Proof.
   intros He Ha Hcrown Hshoulder x Hx.
   assert (H := margin_least_at_the_ends (extrados eta) (fac delta eta) h He alpha x ltac:(lra) Hx).
@@ -156,8 +154,7 @@ Qed.
     intrados and with (5). *)
 Theorem intrados_safe (delta beta eta h p : R) : 0 < beta < PI -> 0 < eta < 2 ->
   intrados eta * normal_force beta h <= p + fac delta eta * (1 - cos beta) -> h = h_tangency delta beta eta ->
-  forall x, 0 <= x < PI ->
-    intrados eta * normal_force x h <= p + fac delta eta * (1 - cos x).
+  forall x, 0 <= x < PI -> intrados eta * normal_force x h <= p + fac delta eta * (1 - cos x).
 Proof.
   intros Hb He Htouch H5 x Hx. assert (Hi : 0 <= intrados eta) by (unfold intrados; lra).
   assert (Hstationary : direction (intrados eta) (fac delta eta) h beta = 0).
@@ -166,11 +163,9 @@ Proof.
   lra.
 Qed.
 
-(** The thrust of a rotational state is positive: by the haunch relation it is
-    [(g - f) (2 - eta) / (2 eta S)]. *)
-Theorem rotational_thrust_positive (delta alpha beta eta : R) :
-  0 < beta < PI -> 0 < eta < 2 -> rotational_state delta alpha beta eta ->
-  0 < h_lower delta beta eta.
+(** The thrust of a rotational state is positive: by the haunch relation it is [(g - f) (2 - eta) / (2 eta S)]. *)
+Theorem rotational_thrust_positive (delta alpha beta eta : R) : 0 < beta < PI -> 0 < eta < 2 ->
+  rotational_state delta alpha beta eta -> 0 < h_lower delta beta eta.
 Proof.
   intros Hb He [H25 _]. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
   assert (Hk : 0 < g_of beta - f_of beta) by (apply g_minus_f_positive; lra).
@@ -182,11 +177,9 @@ Qed.
 
 (** A purely rotational state stands at every joint. *)
 Theorem rotational_state_stands (delta alpha beta eta : R) : 0 <= delta -> 0 < beta < PI -> 0 < alpha < PI ->
-  0 < eta < 2 -> rotational_state delta alpha beta eta ->
-  let h := h_lower delta beta eta in
-  forall x, 0 <= x <= alpha ->
-    0 < normal_force x h /\
-    intrados eta <= pressure_point delta x eta h (extrados eta) <= extrados eta.
+  0 < eta < 2 -> rotational_state delta alpha beta eta -> let h := h_lower delta beta eta in
+  forall x, 0 <= x <= alpha -> 0 < normal_force x h /\
+  intrados eta <= pressure_point delta x eta h (extrados eta) <= extrados eta.
 Proof.
   intros Hd Hb Ha He Hstate h x Hx. assert (Hh := rotational_thrust_positive delta alpha beta eta Hb He Hstate).
   fold h in Hh. destruct Hstate as [H25 H24].
@@ -232,8 +225,7 @@ Proof.
   split; [easy | split].
   - assert (0 <= delta * (eta' * eta' - eta * eta) * V) by (repeat apply Rmult_le_pos; nra). nra.
   - assert (0 <= (eta' - eta) * (12 - delta * (2 * (eta + eta') + eta * eta')) * V)
-      by (repeat apply Rmult_le_pos; lra).
-    nra.
+      by (repeat apply Rmult_le_pos; lra). nra.
 Qed.
 
 (** and beside the crown it has room there. *)
@@ -276,8 +268,7 @@ Theorem no_thinner_arch_by_mechanism (a c delta alpha beta eta eta' h0 p0 h p : 
   0 < alpha < PI -> 0 <= beta < PI -> 0 < eta' < eta -> eta <= 2 -> 0 <= a -> 0 <= c ->
   (0 < c \/ 0 < a /\ 0 < beta) -> mechanism a c delta alpha beta eta h0 p0 = 0 ->
   thrust_arm a c alpha beta eta * (h - h0) <= 0 -> joint_stands delta 0 eta' h p ->
-  joint_stands delta beta eta' h p ->
-  ~ joint_stands delta alpha eta' h p.
+  joint_stands delta beta eta' h p -> ~ joint_stands delta alpha eta' h p.
 Proof.
   intros Hd Ha Hb He' He Ha0 Hc0 Hmoves Hstate Hfriction (HN0 & Hin0 & Hout0) Sb Sa.
   rewrite normal_force_at_crown, cos_0 in *. assert (Hp : 0 <= p).
@@ -298,8 +289,7 @@ Qed.
 Theorem no_thinner_arch (delta alpha beta eta eta' h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 <= beta < PI ->
   0 < eta' < eta -> eta <= 2 -> 0 < intrados eta * cos beta - extrados eta * cos alpha ->
   h_lower delta beta eta = h_whole delta alpha eta -> joint_stands delta 0 eta' h p ->
-  joint_stands delta beta eta' h p ->
-  ~ joint_stands delta alpha eta' h p.
+  joint_stands delta beta eta' h p -> ~ joint_stands delta alpha eta' h p.
 Proof.
   intros Hd Ha Hb He' He Hlower Hstate. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (Hlever := lever_of_lower_thrust_positive beta eta ltac:(lra)).
@@ -324,8 +314,7 @@ Lemma lever_positive_from_semicircle (alpha beta eta : R) : 0 < beta < alpha -> 
   0 < intrados eta * cos beta - extrados eta * cos alpha.
 Proof.
   intros Hb Ha He. unfold intrados, extrados. assert (cos alpha < cos beta) by (apply cos_decreasing_1; lra).
-  assert (cos alpha <= 0) by (apply cos_le_0; lra).
-  nra.
+  assert (cos alpha <= 0) by (apply cos_le_0; lra). nra.
 Qed.
 
 (** Below it because [A / cos] grows. *)
@@ -335,8 +324,7 @@ Proof.
   assert (Hpositive : forall x, 0 < x < PI / 2 ->
             0 < cos x /\ 0 < 1 - cos x /\ 0 < cos x * (sin x - x) + x * sin x ^ 2).
   { intros x Hx. assert (HC : 0 < cos x) by (apply cos_gt_0; lra). assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
-    assert (Hcot := times_cosine_below_sine x ltac:(lra)). assert (Hcircle := circle x).
-    nra. }
+    assert (Hcot := times_cosine_below_sine x ltac:(lra)). assert (Hcircle := circle x). nra. }
   destruct (MVT_cor2 (fun x => A x / cos x) slope a b Hab) as (c & Hc & Hin).
   { intros c Hc. destruct (Hpositive c ltac:(lra)) as (HC & Hv & _). unfold A, slope.
     auto_derive; [repeat split; lra|]. transitivity ((((sin c + c * cos c) * (1 - cos c) - c * sin c ^ 2) * cos c
@@ -347,9 +335,8 @@ Proof.
   nra.
 Qed.
 
-Theorem lever_positive (delta alpha beta eta : R) :
-  0 < beta < alpha -> alpha < PI -> 0 < eta < 2 -> rotational_state delta alpha beta eta ->
-  0 < intrados eta * cos beta - extrados eta * cos alpha.
+Theorem lever_positive (delta alpha beta eta : R) : 0 < beta < alpha -> alpha < PI -> 0 < eta < 2 ->
+  rotational_state delta alpha beta eta -> 0 < intrados eta * cos beta - extrados eta * cos alpha.
 Proof.
   intros Hb Ha He [H25 H24].
   destruct (Rle_lt_dec (PI / 2) alpha) as [Hwide | Hnarrow]; [now apply lever_positive_from_semicircle|].
@@ -375,8 +362,7 @@ Qed.
 (** ** A rotational state's thicker arches *)
 
 Theorem thicker_arch_stands (delta alpha beta eta eta' : R) : 0 <= delta <= 1 -> 0 < beta < PI -> 0 < alpha < PI ->
-  0 < eta < 2 -> eta <= eta' <= 2 -> rotational_state delta alpha beta eta ->
-  let h := h_lower delta beta eta in
+  0 < eta < 2 -> eta <= eta' <= 2 -> rotational_state delta alpha beta eta -> let h := h_lower delta beta eta in
   exists p, forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p.
 Proof.
   intros Hd Hb Ha He He' Hstate h. assert (Hh := rotational_thrust_positive delta alpha beta eta Hb He Hstate).
@@ -391,9 +377,8 @@ Qed.
 (** With friction out of question, an arch whose half-angle has a rotational state stands exactly
     from the thickness of that state on. *)
 Theorem rotational_thickness_is_least (delta alpha beta eta : R) : 0 <= delta <= 1 -> 0 < beta < alpha ->
-  alpha < PI -> 0 < eta < 2 -> rotational_state delta alpha beta eta ->
-  forall eta', 0 < eta' <= 2 ->
-    (exists h p, forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p) <-> eta <= eta'.
+  alpha < PI -> 0 < eta < 2 -> rotational_state delta alpha beta eta -> forall eta', 0 < eta' <= 2 ->
+  (exists h p, forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p) <-> eta <= eta'.
 Proof.
   intros Hd Hb Ha He Hstate eta' He'. assert (Hlever := lever_positive delta alpha beta eta Hb Ha He Hstate). split.
   - intros (h & p & Hall). apply Rnot_lt_le. intros Hthin. destruct Hstate as [_ H24].

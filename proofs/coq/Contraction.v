@@ -98,8 +98,7 @@ Section Banach.
 Variables (n : nat) (r : point).
 
 (** The distance of [x] and [y] is at most [d]. *)
-Definition within (d : R) (x y : point) : Prop :=
-  forall i, (i < n)%nat -> Rabs (x i - y i) <= d * r i.
+Definition within (d : R) (x y : point) : Prop := forall i, (i < n)%nat -> Rabs (x i - y i) <= d * r i.
 
 Hypothesis radii : forall i, (i < n)%nat -> 0 < r i.
 
@@ -135,9 +134,8 @@ Proof.
 Qed.
 
 (** Two fixed points in the box are the same. *)
-Lemma fixed_point_unique x y : box x -> box y ->
-  (forall i, (i < n)%nat -> T x i = x i) -> (forall i, (i < n)%nat -> T y i = y i) ->
-  forall i, (i < n)%nat -> x i = y i.
+Lemma fixed_point_unique x y : box x -> box y -> (forall i, (i < n)%nat -> T x i = x i) ->
+  (forall i, (i < n)%nat -> T y i = y i) -> forall i, (i < n)%nat -> x i = y i.
 Proof.
   intros Hx Hy Fx Fy. apply (same_if_below_powers q 2); [easy |]. induction k as [| k IH].
   - rewrite Rmult_1_l. replace 2 with (1 + 1) by ring. apply within_trans with c; [easy | now apply within_sym].
@@ -213,8 +211,7 @@ Qed.
 
 Section System.
 
-Variables (n : nat) (F : nat -> point -> R) (J : nat -> nat -> point -> R).
-Variables (Y C : nat -> nat -> R) (c r : point).
+Variables (n : nat) (F : nat -> point -> R) (J : nat -> nat -> point -> R) (Y C : nat -> nat -> R) (c r : point).
 
 Notation box x := (within n r 1 x c).
 Notation along x u t := (fun i : nat => x i + t * u i).

@@ -72,15 +72,13 @@ Qed.
 (** ** (2), (4), (5) in terms of [f], [g], [S] *)
 
 (** (5): [beta cot beta + 1 = f / S]. *)
-Lemma tangency_in_f (delta beta eta h : R) : sin beta <> 0 -> 2 - eta <> 0 ->
-  h = h_tangency delta beta eta <->
+Lemma tangency_in_f (delta beta eta h : R) : sin beta <> 0 -> 2 - eta <> 0 -> h = h_tangency delta beta eta <->
   h * (2 - eta) * sin beta = f_of beta * (2 - eta) - 2 * sin beta * fac delta eta.
 Proof. intros HS He. rewrite (tangency_cleared _ _ _ _ HS He). unfold f_of. split; lra. Qed.
 
 (** With (5), (2) is the haunch relation. *)
 Theorem haunch_relation (delta beta eta h : R) : sin beta <> 0 -> 2 - eta <> 0 ->
-  2 + eta - (2 - eta) * cos beta <> 0 -> h = h_tangency delta beta eta ->
-  h = h_lower delta beta eta <->
+  2 + eta - (2 - eta) * cos beta <> 0 -> h = h_tangency delta beta eta -> h = h_lower delta beta eta <->
   2 * eta * sin beta * h = (g_of beta - f_of beta) * (2 - eta).
 Proof.
   intros HS He HD. rewrite (tangency_in_f _ _ _ _ HS He), (lower_thrust_cleared _ _ _ _ HD). rewrite g_first_form.
@@ -97,8 +95,7 @@ Proof.
   intros HS Hi He HD H2 H5. apply (haunch_relation _ _ _ _ HS Hi HD H5) in H2.
   apply (tangency_in_f _ _ _ _ HS Hi) in H5.
   assert (E : h_whole delta alpha eta * (2 + eta) = A alpha * (2 + eta) - 2 * fac delta eta)
-    by (unfold h_whole; field; easy).
-  split; intros H.
+    by (unfold h_whole; field; easy). split; intros H.
   - rewrite <- H in E. nra.
   - apply (Rmult_eq_reg_r ((2 + eta) * sin beta)); [nra | now apply Rmult_integral_contrapositive].
 Qed.
@@ -120,9 +117,8 @@ Proof.
 Qed.
 
 (** (7), second line, for any delta_M: (2) = (5) exactly where the cubic vanishes. *)
-Theorem cubic_in_thickness_from_2_5 (delta beta eta : R) :
-  sin beta <> 0 -> 2 - eta <> 0 -> 2 + eta - (2 - eta) * cos beta <> 0 ->
-  h_lower delta beta eta = h_tangency delta beta eta <->
+Theorem cubic_in_thickness_from_2_5 (delta beta eta : R) : sin beta <> 0 -> 2 - eta <> 0 ->
+  2 + eta - (2 - eta) * cos beta <> 0 -> h_lower delta beta eta = h_tangency delta beta eta <->
   pol_eta delta (f_of beta) (g_of beta) (sin beta) eta = 0.
 Proof.
   intros HS He HD. assert (H5 : h_tangency delta beta eta = h_tangency delta beta eta) by easy.
@@ -134,11 +130,9 @@ Qed.
 Theorem pol_eta_is_printed (f g S eta : R) : pol_eta 1 f g S eta = pol_eta_printed f g S eta.
 Proof. unfold pol_eta, pol_eta_printed. ring. Qed.
 
-(** In an arch thinner than [2 r], with the haunch between crown and springing, no denominator
-    vanishes. *)
+(** In an arch thinner than [2 r], with the haunch between crown and springing, no denominator vanishes. *)
 Theorem cubic_in_thickness_in_the_arch (delta beta eta : R) : 0 < beta < PI -> 0 < eta < 2 ->
-  h_lower delta beta eta = h_tangency delta beta eta <->
-  pol_eta delta (f_of beta) (g_of beta) (sin beta) eta = 0.
+  h_lower delta beta eta = h_tangency delta beta eta <-> pol_eta delta (f_of beta) (g_of beta) (sin beta) eta = 0.
 Proof.
   intros Hb He. apply cubic_in_thickness_from_2_5.
   - apply Rgt_not_eq, sin_gt_0; lra.
@@ -180,10 +174,9 @@ Proof.
 Qed.
 
 (** (7), first line, for any delta_M. *)
-Theorem cubic_in_opening_from_2_4_5 (delta alpha beta eta h : R) :
-  sin beta <> 0 -> 2 - eta <> 0 -> 2 + eta <> 0 -> 2 + eta - (2 - eta) * cos beta <> 0 ->
-  h = h_lower delta beta eta -> h = h_whole delta alpha eta -> h = h_tangency delta beta eta ->
-  pol_A delta (f_of beta) (g_of beta) (sin beta) (A alpha) = 0.
+Theorem cubic_in_opening_from_2_4_5 (delta alpha beta eta h : R) : sin beta <> 0 -> 2 - eta <> 0 -> 2 + eta <> 0 ->
+  2 + eta - (2 - eta) * cos beta <> 0 -> h = h_lower delta beta eta -> h = h_whole delta alpha eta ->
+  h = h_tangency delta beta eta -> pol_A delta (f_of beta) (g_of beta) (sin beta) (A alpha) = 0.
 Proof.
   intros HS Hi He HD H2 H4 H5.
   assert (Heta : pol_eta delta (f_of beta) (g_of beta) (sin beta) eta = 0)
@@ -204,8 +197,7 @@ Proof. unfold pol_h, pol_h_printed. field. Qed.
 Theorem cubic_problem_in_the_arch (delta alpha beta eta h : R) : 0 < beta < PI -> 0 < eta < 2 ->
   h = h_lower delta beta eta -> h = h_whole delta alpha eta -> h = h_tangency delta beta eta ->
   pol_A delta (f_of beta) (g_of beta) (sin beta) (A alpha) = 0 /\
-  pol_eta delta (f_of beta) (g_of beta) (sin beta) eta = 0 /\
-  pol_h delta (f_of beta) (g_of beta) (sin beta) h = 0.
+  pol_eta delta (f_of beta) (g_of beta) (sin beta) eta = 0 /\ pol_h delta (f_of beta) (g_of beta) (sin beta) h = 0.
 Proof.
   intros Hb He H2 H4 H5. assert (HS : sin beta <> 0) by (apply Rgt_not_eq, sin_gt_0; lra).
   assert (HD : 2 + eta - (2 - eta) * cos beta <> 0) by (apply Rgt_not_eq, lever_of_lower_thrust_positive; lra).
@@ -251,8 +243,7 @@ Proof.
   intros Hd HS Hk Hh eta Hi HD. assert (Hsum : 2 * sin beta * h + (g_of beta - f_of beta) <> 0).
   { intros H. assert (E : h = - (g_of beta - f_of beta) / (2 * sin beta)) by (apply equals_quotient; lra).
     rewrite E in Hh. assert (E0 : delta / 2 * (g_of beta - f_of beta) ^ 2 = 0)
-      by (rewrite <- Hh; unfold pol_h; field; easy).
-    contradict E0. nonzero. }
+      by (rewrite <- Hh; unfold pol_h; field; easy). contradict E0. nonzero. }
   assert (He : eta <> 0) by (unfold eta; nonzero).
   assert (HM : 2 * eta * sin beta * h = (g_of beta - f_of beta) * (2 - eta)) by (unfold eta; field; easy).
   assert (E := pol_h_of_thickness delta _ _ _ _ _ HM). rewrite Hh, Rmult_0_r in E. symmetry in E.
@@ -279,8 +270,7 @@ Proof. unfold pol_h, heyman_h. field. Qed.
 (** Heyman's states: the quadratics. *)
 Theorem heyman_quadratics_in_the_arch (alpha beta eta h : R) : 0 < beta < PI -> 0 < eta < 2 ->
   h = h_lower 0 beta eta -> h = h_whole 0 alpha eta -> h = h_tangency 0 beta eta ->
-  heyman_A (f_of beta) (g_of beta) (sin beta) (A alpha) = 0 /\
-  heyman_h (f_of beta) (g_of beta) (sin beta) h = 0.
+  heyman_A (f_of beta) (g_of beta) (sin beta) (A alpha) = 0 /\ heyman_h (f_of beta) (g_of beta) (sin beta) h = 0.
 Proof.
   intros Hb He H2 H4 H5. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra). assert (HS' : sin beta <> 0) by lra.
   assert (Hi : 2 - eta <> 0) by lra. assert (Hx : 2 + eta <> 0) by lra.
@@ -306,8 +296,7 @@ Proof. unfold radicand, radicand_printed. ring. Qed.
 
 (** For any delta_M: a square, a constant, and (12). *)
 Theorem discriminant_in_thickness (delta f g S : R) :
-  discriminant (delta * S) (3 * (f + g)) (- 12 * (g - S)) (12 * (g - f))
-  = - 432 * radicand delta f g S.
+  discriminant (delta * S) (3 * (f + g)) (- 12 * (g - S)) (12 * (g - f)) = - 432 * radicand delta f g S.
 Proof. unfold discriminant, radicand. ring. Qed.
 
 Theorem discriminant_in_opening (delta f g S : R) :

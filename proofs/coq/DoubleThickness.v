@@ -31,8 +31,7 @@ Proof.
     auto_derive; [repeat split; assumption | field; repeat split; assumption]. }
   rewrite H0 in slope.
   replace (r / K - (h_tangency delta beta eta - h_tangency delta beta eta) * (K' / K))
-    with (r / K) in slope by (field; exact HK).
-  split.
+    with (r / K) in slope by (field; exact HK). split.
   - intros H. apply is_derive_unique in H. apply is_derive_unique in slope. rewrite slope in H.
     apply (Rmult_eq_compat_r K) in H. replace (r / K * K) with r in H by (field; exact HK). lra.
   - intros H. replace 0 with (r / K); [exact slope |]. rewrite H. field. exact HK.

@@ -1,18 +1,16 @@
 (** * The least thickness when friction is finite
 
-    An arch stands if at every joint the line of thrust is inside ([Contact]) and friction holds.
-    Where the shoulder slides, [[s,r,r]], the thrust is at most (17); where an inner joint slides,
-    [[r,r,s]], [[r,s,r]] and, with the rotational joint at the crown, [[r,s]], it is at least that
-    of (18).  The mechanism then gains from the other side of the balance, and **no thinner arch
-    stands** by the same sum as without friction.
+    An arch stands if at every joint the line of thrust is inside ([Contact]) and friction holds. Where the shoulder
+    slides, [[s,r,r]], the thrust is at most (17); where an inner joint slides, [[r,r,s]], [[r,s,r]] and, with the
+    rotational joint at the crown, [[r,s]], it is at least that of (18). The mechanism then gains from the other side
+    of the balance, and **no thinner arch stands** by the same sum as without friction.
 
     Purely sliding states [[s,s]] bound the friction, whatever the thickness. *)
 
 From Couplet Require Import Moments Cubics Sliding Joining Contact.
 
 (** Coulomb's law in both directions. *)
-Definition friction_holds (beta mu h : R) : Prop :=
-  Rabs (shear_force beta h) <= mu * normal_force beta h.
+Definition friction_holds (beta mu h : R) : Prop := Rabs (shear_force beta h) <= mu * normal_force beta h.
 
 (** There is a thrust, and a place for it in the crown, with which every joint stands and holds. *)
 Definition arch_stands (delta alpha eta mu : R) : Prop :=
@@ -49,8 +47,7 @@ Qed.
 (** The thickness of (2) and (17) is the least; the state also needs (5), which is not used here. *)
 Theorem no_thinner_arch_with_sliding_shoulder (delta alpha beta eta eta' mu : R) : 0 <= delta <= 1 ->
   0 < beta < alpha -> alpha < PI -> 0 < eta' < eta -> eta <= 2 -> 0 < sin alpha - mu * cos alpha ->
-  h_lower delta beta eta = h_mu alpha mu ->
-  ~ arch_stands delta alpha eta' mu.
+  h_lower delta beta eta = h_mu alpha mu -> ~ arch_stands delta alpha eta' mu.
 Proof.
   intros Hd Hb Ha He' He HD Hstate (h & p & Hall). set (h0 := h_lower delta beta eta) in *.
   assert (Hlever := lever_of_lower_thrust_positive beta eta ltac:(lra)).
@@ -89,8 +86,7 @@ Qed.
 (** At a friction below (17) = (18) no arch of that half-angle stands. *)
 Theorem no_arch_below_purely_sliding (delta alpha eta mu mu' h0 : R) : 0 < alpha < PI -> 0 < h0 < 1 ->
   beta_s h0 <= alpha -> mu' < mu -> 0 <= mu' -> 0 < sin alpha - mu' * cos alpha -> 0 < normal_force alpha h0 ->
-  mu = mu_is h0 -> mu = mu_ss alpha h0 ->
-  ~ arch_stands delta alpha eta mu'.
+  mu = mu_is h0 -> mu = mu_ss alpha h0 -> ~ arch_stands delta alpha eta mu'.
 Proof.
   intros Ha Hh0 Hs Hless Hmu' HD HN His Hss (h & p & Hall). assert (Hs0 : 0 <= beta_s h0) by apply sqrt_pos.
   destruct (Hall 0 ltac:(lra)) as [(HN0 & _) _]. destruct (Hall (beta_s h0) ltac:(lra)) as [(HNs & _) Hinner].

@@ -16,19 +16,16 @@ Ltac opening v lo hi :=
   | unfold A; interval with (i_prec 140) |];
   exists alpha; split; [apply Rabs_le; lra | now split].
 
-Theorem opening_of_two_thirds : exists alpha,
-  Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\ A alpha = 2 / 3 /\
-  (forall other, 0 < other < 2 * PI -> A other = 2 / 3 -> other = alpha).
+Theorem opening_of_two_thirds : exists alpha, Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\
+  A alpha = 2 / 3 /\ (forall other, 0 < other < 2 * PI -> A other = 2 / 3 -> other = alpha).
 Proof. opening (2 / 3) 2.64838889915100541147745903938347 2.64838889915100541147745903938547. Qed.
 
-Theorem opening_of_root : exists alpha,
-  Rabs (alpha - 2.59084344300895490419429585352135) <= 1e-30 /\ A alpha = sqrt 3 - 1 /\
-  (forall other, 0 < other < 2 * PI -> A other = sqrt 3 - 1 -> other = alpha).
+Theorem opening_of_root : exists alpha, Rabs (alpha - 2.59084344300895490419429585352135) <= 1e-30 /\
+  A alpha = sqrt 3 - 1 /\ (forall other, 0 < other < 2 * PI -> A other = sqrt 3 - 1 -> other = alpha).
 Proof. opening (sqrt 3 - 1) 2.59084344300895490419429585352035 2.59084344300895490419429585352235. Qed.
 
-Theorem opening_of_half : exists alpha,
-  Rabs (alpha - 2.78649815065117703204215667394221) <= 1e-30 /\ A alpha = 1 / 2 /\
-  (forall other, 0 < other < 2 * PI -> A other = 1 / 2 -> other = alpha).
+Theorem opening_of_half : exists alpha, Rabs (alpha - 2.78649815065117703204215667394221) <= 1e-30 /\
+  A alpha = 1 / 2 /\ (forall other, 0 < other < 2 * PI -> A other = 1 / 2 -> other = alpha).
 Proof. opening (1 / 2) 2.78649815065117703204215667394121 2.78649815065117703204215667394321. Qed.
 
 (** ** The ends of rotation and of overturning in closed form *)
@@ -49,8 +46,7 @@ Proof.
 Qed.
 
 Lemma rotation_end_milankovitch alpha eta : 0 <= eta < 2 ->
-  (0 = h_whole 1 alpha eta /\ 0 = end_of_rotation 1 eta
-   <-> eta = eta_l_milankovitch /\ A alpha = sqrt 3 - 1).
+  (0 = h_whole 1 alpha eta /\ 0 = end_of_rotation 1 eta <-> eta = eta_l_milankovitch /\ A alpha = sqrt 3 - 1).
 Proof.
   intros He. pose proof (end_of_rotation_milankovitch eta ltac:(lra) ltac:(lra)) as thickness.
   pose proof (overturning_from_whole_thrust 1 alpha eta) as opening. pose proof A_l_milankovitch.

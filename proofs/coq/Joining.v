@@ -1,15 +1,13 @@
 (** * Rotational and overturning states join with a common slope
 
-    At the end of rotation [l] (Sec. 2.1, Fig. 4) the curve [eta(A)] of the purely rotational states
-    continues as that of the purely overturning ones, (14) or (15).  Here: the secants of the
-    rotational curve from [l] tend to the slope of the overturning curve there,
-    [- 9/2] for Heyman's and [- 4 sqrt 3] for Milankovitch's self-weight.
+    At the end of rotation [l] (Sec. 2.1, Fig. 4) the curve [eta(A)] of the purely rotational states continues as that
+    of the purely overturning ones, (14) or (15). Here: the secants of the rotational curve from [l] tend to the slope
+    of the overturning curve there, [- 9/2] for Heyman's and [- 4 sqrt 3] for Milankovitch's self-weight.
 
-    Rotational states are taken as any sequence of solutions of (2), (4), (5) whose haunch tends to
-    the crown and whose thickness tends to [eta_l].  With [s = (sin b / b - 1)/b^2] and
-    [c = (cos b - 1)/b^2], which tend to [- 1/6] and [- 1/2], the cubic (7) gives the thickness and
-    the shoulder relation gives [A] to the order [b^2]; the slope is the quotient of the two.  Such
-    sequences exist: every haunch near the crown has a rotational state near [l]. *)
+    Rotational states are taken as any sequence of solutions of (2), (4), (5) whose haunch tends to the crown and
+    whose thickness tends to [eta_l]. With [s = (sin b / b - 1)/b^2] and [c = (cos b - 1)/b^2], which tend to [- 1/6]
+    and [- 1/2], the cubic (7) gives the thickness and the shoulder relation gives [A] to the order [b^2]; the slope
+    is the quotient of the two. Such sequences exist: every haunch near the crown has a rotational state near [l]. *)
 
 From Coq Require Import Ranalysis5.
 From Couplet Require Import Moments Cubics Overturning.
@@ -53,8 +51,7 @@ Lemma l_is_root (delta l : R) : l < 2 -> end_of_rotation delta l = 0 -> delta * 
 Proof.
   intros Hl H.
   assert (E : end_of_rotation delta l * (6 * (2 - l)) = 12 - 12 * l - delta * l ^ 2)
-    by (unfold end_of_rotation; field; lra).
-  rewrite H in E. lra.
+    by (unfold end_of_rotation; field; lra). rewrite H in E. lra.
 Qed.
 
 (** What multiplies [b^2] in it, *)
@@ -99,8 +96,7 @@ Ltac limits :=
 Section Near_the_crown.
 
 Variables (b : nat -> R).
-Hypothesis b_positive : forall n, 0 < b n.
-Hypothesis b_to_crown : is_lim_seq b 0.
+Hypotheses (b_positive : forall n, 0 < b n) (b_to_crown : is_lim_seq b 0).
 
 Lemma b_eventually_small : eventually (fun n => 0 < b n <= 1).
 Proof.
@@ -126,15 +122,10 @@ Proof. apply (squeezed cosine_defect _ 24); [exact cosine_defect_bounds | lra]. 
 
 (** ** The rotational curve to the order [b^2] *)
 
-Variables (delta l : R).
-Variables (alpha eta : nat -> R).
-Hypothesis haunch_in_arch : forall n, b n < PI.
-Hypothesis thickness_in_arch : forall n, 0 < eta n < 2.
-Hypothesis states : forall n, rotational_state delta (alpha n) (b n) (eta n).
-Hypothesis delta_not_negative : 0 <= delta.
-Hypothesis l_in_arch : 0 < l < 2.
-Hypothesis l_ends_rotation : end_of_rotation delta l = 0.
-Hypothesis eta_to_l : is_lim_seq eta l.
+Variables (delta l : R) (alpha eta : nat -> R).
+Hypotheses (haunch_in_arch : forall n, b n < PI) (thickness_in_arch : forall n, 0 < eta n < 2)
+  (states : forall n, rotational_state delta (alpha n) (b n) (eta n)) (delta_not_negative : 0 <= delta)
+  (l_in_arch : 0 < l < 2) (l_ends_rotation : end_of_rotation delta l = 0) (eta_to_l : is_lim_seq eta l).
 
 (** What [eta] and [A] grow with [b^2]. *)
 Let eta_rate : R := (delta * l ^ 2 / 6 + 4 * l - 6) / (2 * delta * l + 12).
@@ -157,8 +148,7 @@ Proof.
   apply (Rmult_eq_reg_r (t ^ 2 * (x * (delta * (x + l) + 12)))); [|nonzero].
   transitivity (x * (delta * (x + l) + 12) * (x - l)); [field; lra|].
   transitivity (- (t ^ 2 * (delta * s * x ^ 3 + 6 * (s + c) * x ^ 2 - 12 * c * x
-                     + t ^ 2 * s * c * (3 * x ^ 2 - 12 * x + 12)))); [lra|].
-  field. split; [easy | lra].
+                     + t ^ 2 * s * c * (3 * x ^ 2 - 12 * x + 12)))); [lra|]. field. split; [easy | lra].
 Qed.
 
 Lemma eta_rate_limit : is_lim_seq (fun n => (eta n - l) / (b n * b n)) eta_rate.
@@ -226,8 +216,7 @@ End Near_the_crown.
 (** Heyman: [- 9/2], the slope of (14) ([slope_at_l_heyman]). *)
 Theorem rotation_joins_overturning_heyman (alpha b eta : nat -> R) : (forall n, 0 < b n < PI) ->
   (forall n, 0 < eta n < 2) -> (forall n, rotational_state 0 (alpha n) (b n) (eta n)) -> is_lim_seq b 0 ->
-  is_lim_seq eta 1 ->
-  is_lim_seq (fun n => (eta n - 1) / (A (alpha n) - 2 / 3)) (- 9 / 2) /\
+  is_lim_seq eta 1 -> is_lim_seq (fun n => (eta n - 1) / (A (alpha n) - 2 / 3)) (- 9 / 2) /\
   is_derive eta_heyman (2 / 3) (- 9 / 2).
 Proof.
   intros Hb He Hstates Hb0 He1. split; [|exact slope_at_l_heyman].
@@ -243,8 +232,7 @@ Qed.
 Theorem rotation_joins_overturning_milankovitch (alpha b eta : nat -> R) : (forall n, 0 < b n < PI) ->
   (forall n, 0 < eta n < 2) -> (forall n, rotational_state 1 (alpha n) (b n) (eta n)) -> is_lim_seq b 0 ->
   is_lim_seq eta eta_l_milankovitch ->
-  is_lim_seq (fun n => (eta n - eta_l_milankovitch) / (A (alpha n) - (sqrt 3 - 1)))
-    (- 4 * sqrt 3) /\
+  is_lim_seq (fun n => (eta n - eta_l_milankovitch) / (A (alpha n) - (sqrt 3 - 1))) (- 4 * sqrt 3) /\
   is_derive eta_milankovitch (sqrt 3 - 1) (- 4 * sqrt 3).
 Proof.
   intros Hb He Hstates Hb0 Hel. split; [|exact slope_at_l_milankovitch]. assert (Hin := eta_l_in_the_arch).
@@ -276,30 +264,25 @@ Lemma second_order_bounded (delta b x : R) : 0 <= delta <= 1 -> 0 < b <= 1 -> 0 
 Proof.
   intros Hd Hb Hx. unfold second_order. cbv zeta. assert (Hb2 : 0 <= b ^ 2 <= 1) by (simpl; nra).
   assert (Hs := sine_defect_bounds b Hb). assert (Hc := cosine_defect_bounds b Hb). set (s := sine_defect b) in *.
-  set (c := cosine_defect b) in *. assert (Hsr : - 1 / 6 <= s <= 0) by lra.
-  assert (Hcr : - 1 / 2 <= c <= 0) by lra. set (t := b ^ 2) in *. clearbody s c t. clear Hs Hc Hb.
-  assert (Hx2 : 0 <= x ^ 2 <= 4) by (simpl; nra). assert (Hx3 : 0 <= x ^ 3 <= 8) by (simpl in *; nra).
-  assert (Hdx : 0 <= delta * x ^ 3 <= 8) by nra. assert (H1 : - 2 <= s * (delta * x ^ 3) <= 0) by nra.
-  assert (H2 : - 16 <= 6 * (s + c) * x ^ 2 <= 0) by nra. assert (H3 : 0 <= - 12 * c * x <= 12) by nra.
-  assert (Hq : 0 <= 3 * x ^ 2 - 12 * x + 12 <= 12) by (split; nra). set (q := 3 * x ^ 2 - 12 * x + 12) in *.
-  assert (Hsc : 0 <= s * c <= 1 / 12) by nra. assert (Htsc : 0 <= t * (s * c) <= 1 / 12) by nra.
-  assert (H4 : 0 <= t * (s * c) * q <= 1) by nra.
+  set (c := cosine_defect b) in *. assert (Hsr : - 1 / 6 <= s <= 0) by lra. assert (Hcr : - 1 / 2 <= c <= 0) by lra.
+  set (t := b ^ 2) in *. clearbody s c t. clear Hs Hc Hb. assert (Hx2 : 0 <= x ^ 2 <= 4) by (simpl; nra).
+  assert (Hx3 : 0 <= x ^ 3 <= 8) by (simpl in *; nra). assert (Hdx : 0 <= delta * x ^ 3 <= 8) by nra.
+  assert (H1 : - 2 <= s * (delta * x ^ 3) <= 0) by nra. assert (H2 : - 16 <= 6 * (s + c) * x ^ 2 <= 0) by nra.
+  assert (H3 : 0 <= - 12 * c * x <= 12) by nra. assert (Hq : 0 <= 3 * x ^ 2 - 12 * x + 12 <= 12) by (split; nra).
+  set (q := 3 * x ^ 2 - 12 * x + 12) in *. assert (Hsc : 0 <= s * c <= 1 / 12) by nra.
+  assert (Htsc : 0 <= t * (s * c) <= 1 / 12) by nra. assert (H4 : 0 <= t * (s * c) * q <= 1) by nra.
   replace (delta * s * x ^ 3) with (s * (delta * x ^ 3)) by ring.
   replace (t * s * c * q) with (t * (s * c) * q) by ring. lra.
 Qed.
 
 Theorem rotational_states_near_the_end (delta l eps : R) : 0 <= delta <= 1 -> 0 < l < 2 ->
-  end_of_rotation delta l = 0 -> 0 < eps ->
-  exists b0, 0 < b0 /\
-  forall b, 0 < b < b0 ->
-    exists alpha eta, 0 < alpha < PI /\ 0 < eta < 2 /\ Rabs (eta - l) < eps /\
-      rotational_state delta alpha b eta.
+  end_of_rotation delta l = 0 -> 0 < eps -> exists b0, 0 < b0 /\ forall b, 0 < b < b0 ->
+  exists alpha eta, 0 < alpha < PI /\ 0 < eta < 2 /\ Rabs (eta - l) < eps /\ rotational_state delta alpha b eta.
 Proof.
-  intros Hd Hl Hend Heps. assert (Hroot := l_is_root delta l (proj2 Hl) Hend).
-  assert (Hl9 : 9 / 10 < l <= 1) by nra. set (e := Rmin (eps / 2) (1 / 10)).
-  assert (He : 0 < e) by (apply Rmin_pos; lra). assert (He1 := Rmin_l (eps / 2) (1 / 10)).
-  assert (He2 := Rmin_r (eps / 2) (1 / 10)). fold e in He1, He2. exists (e / 10). split; [lra|]. intros b Hb.
-  assert (Hb1 : 0 < b <= 1) by lra. assert (HPI := PI2_3_2).
+  intros Hd Hl Hend Heps. assert (Hroot := l_is_root delta l (proj2 Hl) Hend). assert (Hl9 : 9 / 10 < l <= 1) by nra.
+  set (e := Rmin (eps / 2) (1 / 10)). assert (He : 0 < e) by (apply Rmin_pos; lra).
+  assert (He1 := Rmin_l (eps / 2) (1 / 10)). assert (He2 := Rmin_r (eps / 2) (1 / 10)). fold e in He1, He2.
+  exists (e / 10). split; [lra|]. intros b Hb. assert (Hb1 : 0 < b <= 1) by lra. assert (HPI := PI2_3_2).
   (* the thickness: the cubic changes its sign between l - e and l + e *)
   set (P := fun x => pol_eta delta (f_of b) (g_of b) (sin b) x).
   assert (HP : forall x, l - e <= x <= l + e -> exists F, 8 <= F /\

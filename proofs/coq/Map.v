@@ -129,8 +129,7 @@ Qed.
 (** So where none thinner stands it is not pure sliding alone that moves. *)
 Theorem a_hinge_at_the_least_thickness (delta alpha eta mu h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI ->
   0 < eta <= 2 -> 0 < mu -> (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
-  admissible_state delta alpha eta mu h p ->
-  exists m, m <> SS /\ mode_moves delta alpha eta mu m.
+  admissible_state delta alpha eta mu h p -> exists m, m <> SS /\ mode_moves delta alpha eta mu m.
 Proof.
   intros Hd Ha He Hmu Hnone Hstate.
   destruct (a_mode_moves delta alpha eta mu h p Hd Ha He Hmu Hstate
@@ -171,8 +170,7 @@ Qed.
 
 (** ** Columns *)
 
-Definition rank (m : mode) : nat :=
-  match m with RRR => 0 | SRR => 1 | RRS => 2 | RSR => 3 | RS => 4 | SS => 5 end.
+Definition rank (m : mode) : nat := match m with RRR => 0 | SRR => 1 | RRS => 2 | RSR => 3 | RS => 4 | SS => 5 end.
 
 (** The shoulder's friction grows along the rotational states. *)
 Definition friction_grows (delta : R) : Prop :=
@@ -203,8 +201,7 @@ Proof. destruct m; simpl; intros Hr Hr' H; lia || tauto. Qed.
 (** As the thickness grows the modes follow each other. *)
 Theorem modes_of_a_column (delta mu alpha1 eta1 alpha2 eta2 : R) (m1 m2 : mode) : 0 <= delta <= 1 -> 0 < mu ->
   friction_grows delta -> 0 < alpha1 < PI -> 0 < alpha2 < PI -> 0 < eta1 -> eta1 < eta2 -> eta2 <= 2 ->
-  mode_moves delta alpha1 eta1 mu m1 -> mode_moves delta alpha2 eta2 mu m2 ->
-  (rank m1 <= rank m2)%nat.
+  mode_moves delta alpha1 eta1 mu m1 -> mode_moves delta alpha2 eta2 mu m2 -> (rank m1 <= rank m2)%nat.
 Proof.
   intros Hd Hmu Hgrows Ha1 Ha2 He1 He He2 (h1 & p1 & b1 & s1 & S1 & L1) (h2 & p2 & b2 & s2 & S2 & L2).
   assert (Sh1 := shoulder_of_mode L1). assert (Sh2 := shoulder_of_mode L2).
@@ -229,18 +226,16 @@ Proof.
 Qed.
 
 (** So each moves on an interval or not at all. *)
-Theorem intervals_of_a_column (delta mu alpha1 eta1 alpha eta alpha2 eta2 : R) (m m' : mode) :
-  0 <= delta <= 1 -> 0 < mu -> friction_grows delta ->
-  0 < alpha1 < PI -> 0 < alpha < PI -> 0 < alpha2 < PI -> 0 < eta1 -> eta1 < eta < eta2 -> eta2 <= 2 ->
-  mode_moves delta alpha1 eta1 mu m -> mode_moves delta alpha2 eta2 mu m ->
+Theorem intervals_of_a_column (delta mu alpha1 eta1 alpha eta alpha2 eta2 : R) (m m' : mode) : 0 <= delta <= 1 ->
+  0 < mu -> friction_grows delta -> 0 < alpha1 < PI -> 0 < alpha < PI -> 0 < alpha2 < PI -> 0 < eta1 ->
+  eta1 < eta < eta2 -> eta2 <= 2 -> mode_moves delta alpha1 eta1 mu m -> mode_moves delta alpha2 eta2 mu m ->
   mode_moves delta alpha eta mu m' -> m' = m.
 Proof.
   intros Hd Hmu Hgrows Ha1 Ha Ha2 He1 He He2 M1 M2 M.
   assert (H1 := modes_of_a_column delta mu alpha1 eta1 alpha eta m m' Hd Hmu Hgrows Ha1 Ha He1 ltac:(lra)
       ltac:(lra) M1 M).
   assert (H2 := modes_of_a_column delta mu alpha eta alpha2 eta2 m' m Hd Hmu Hgrows Ha Ha2 ltac:(lra)
-      ltac:(lra) He2 M M2).
-  destruct m, m'; simpl in H1, H2; try lia; easy.
+      ltac:(lra) He2 M M2). destruct m, m'; simpl in H1, H2; try lia; easy.
 Qed.
 
 (** [[s,r,r]] is where the shoulder asks for more friction than an inner joint along rotation. *)
@@ -251,8 +246,7 @@ Theorem sliding_shoulder_before_T (delta alpha eta mu : R) :
 Proof.
   intros Hd Ha He Hmu (h & p & beta & sigma & Hstate & Hb & EC & EL & EO).
   destruct (rotational_state_of_crown Hstate Hd Ha He Hmu beta Hb EC EL)
-    as (alpha0 & Ha0 & Hrotation & Eh & _ & _ & Hmore).
-  exists alpha0, beta. rewrite <- Eh. auto.
+    as (alpha0 & Ha0 & Hrotation & Eh & _ & _ & Hmore). exists alpha0, beta. rewrite <- Eh. auto.
 Qed.
 
 (** ** Rows *)
@@ -282,8 +276,7 @@ Proof.
   assert (S1' : admissible_state delta alpha eta1 mu2 h1 p1).
   { intros x Hx. destruct (S1 x Hx) as [Hj Hf]. split; [easy|]. unfold friction_holds in *.
     assert (mu1 * normal_force x h1 <= mu2 * normal_force x h1)
-      by (apply Rmult_le_compat_r; [apply Rlt_le, HN1, Hx | lra]).
-    lra. }
+      by (apply Rmult_le_compat_r; [apply Rlt_le, HN1, Hx | lra]). lra. }
   assert (Hthin : eta2 <= eta1).
   { apply Rnot_lt_le. intros H. apply (Hleast eta1); [lra|]. now exists h1, p1. }
   (* the margins of friction of the first state grow *)
@@ -297,8 +290,7 @@ Proof.
       by (intros x Hx; apply (@compressed delta alpha eta2 mu2 h2 p2); easy || lra).
     destruct (Hmargins s2 ltac:(lra)) as [HI _]. destruct (Hmargins alpha ltac:(lra)) as [_ HO].
     assert (E := sliding_does_not_see_the_thickness s2 alpha mu2 h2 h1 ltac:(lra) ltac:(lra)
-                   (HN2 s2 ltac:(lra)) (HN2 alpha ltac:(lra)) EI2 EO2 ltac:(lra) ltac:(lra)).
-    rewrite E in HO. lra. }
+                   (HN2 s2 ltac:(lra)) (HN2 alpha ltac:(lra)) EI2 EO2 ltac:(lra) ltac:(lra)). rewrite E in HO. lra. }
   destruct (Compare_dec.le_lt_dec 2 (rank m2)) as [R2 | R2].
   - (* an inner joint slides in the rougher arch: the crown does not turn in the smoother one *)
     destruct (slip_of_mode R2 L2) as [Hs2 EI2].
@@ -310,8 +302,7 @@ Proof.
       destruct (haunch_of_mode R1 R1' L1) as (Hb1 & EL1 & EU1).
       destruct (haunch_of_mode R2 R2' L2) as (Hb2 & EL2 & EU2).
       destruct (haunch_falls S2 S1 Hd Ha He2 ltac:(lra) Ha He1 ltac:(lra) ltac:(lra) ltac:(lra) s2 b2 s1 b1 Hs2 EI2 Sh2 Hs1 EI1 Sh1
-                  Hb2 EL2 Hb1 EL1) as (Hfall & Hstrict & Hslip).
-      specialize (Hstrict (or_intror (proj2 Hmu))).
+                  Hb2 EL2 Hb1 EL1) as (Hfall & Hstrict & Hslip). specialize (Hstrict (or_intror (proj2 Hmu))).
       specialize (Hslip (or_introl (Hhalf eta1 mu1 h1 p1 b1 s1 m1 He1 (proj1 Hmu) S1 R1 R1' L1))). apply Nat.nlt_ge.
       intros Hless. destruct m1, m2; simpl in R1, R1', R2, R2', Hless; try lia; simpl in L1, L2; lra.
     + exfalso. destruct (crown_of_mode R1 L1) as (Hb1 & EC1 & EL1).
@@ -328,8 +319,7 @@ Proof.
       destruct (crown_of_mode (m := SRR) ltac:(simpl; lia) L2) as (Hb2 & EC2 & EL2). simpl in L1, L2.
       assert (Hsame : eta1 = eta2).
       { destruct (rotational_state_of_crown S1 Hd Ha He1 ltac:(lra) b1 Hb1 EC1 EL1)
-          as (alpha0 & Ha0 & Hrotation & _ & _ & Eshoulder & _).
-        rewrite (Eshoulder ltac:(tauto)) in Hrotation.
+          as (alpha0 & Ha0 & Hrotation & _ & _ & Eshoulder & _). rewrite (Eshoulder ltac:(tauto)) in Hrotation.
         assert (Ht := crown_is_thin S1 Hd Ha He1 ltac:(lra) b1 Hb1 EC1 EL1). apply Rle_antisym; [|easy].
         apply (rotational_thickness_is_least delta alpha b1 eta1 Hd Hb1 ltac:(lra) ltac:(lra) Hrotation eta2 He2).
         exists h2, p2. intros x Hx. now apply S2. }

@@ -56,10 +56,9 @@ Proof.
 Qed.
 
 (** so with the line of thrust on both there is one. *)
-Theorem lever_positive_in_any_state (delta alpha beta eta h p : R) :
-  0 <= delta <= 1 -> 0 <= beta <= alpha -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
-  haunch_gap delta beta eta h p = 0 -> shoulder_gap delta alpha eta h p = 0 ->
-  0 < intrados eta * cos beta - extrados eta * cos alpha.
+Theorem lever_positive_in_any_state (delta alpha beta eta h p : R) : 0 <= delta <= 1 -> 0 <= beta <= alpha ->
+  0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h -> haunch_gap delta beta eta h p = 0 ->
+  shoulder_gap delta alpha eta h p = 0 -> 0 < intrados eta * cos beta - extrados eta * cos alpha.
 Proof.
   intros Hd Hb Ha He Hh HL HU. apply Rnot_le_lt. intros Harm.
   assert (H := room_without_lever delta alpha beta eta h p Hd Hb Ha He Hh Harm). lra.
@@ -85,16 +84,13 @@ Definition moves (delta alpha beta sigma eta mu h p u l v s t : R) : Prop :=
   v * shoulder_gap delta alpha eta h p = 0 /\
   s * inward_gap sigma mu h = 0 /\ t * outward_gap alpha mu h = 0.
 
-(** The four with one rate inside and one at the shoulder: [x1] is the part of [[r,r,r]], [x2] of
-    [[s,r,r]], [x3] of [[r,r,s]], [[r,s,r]] and [[r,s]], which differ in the order of the joints,
-    and [x4] of [[s,s]]. *)
+(** The four with one rate inside and one at the shoulder: [x1] is the part of [[r,r,r]], [x2] of [[s,r,r]], [x3] of
+    [[r,r,s]], [[r,s,r]] and [[r,s]], which differ in the order of the joints, and [x4] of [[s,s]]. *)
 Theorem four_supports (delta alpha beta sigma eta mu h p u l v s t : R) : 0 <= delta <= 1 -> 0 <= beta <= alpha ->
   0 < alpha < PI -> 0 < sigma < PI -> 0 < eta <= 2 -> 0 <= h -> moves delta alpha beta sigma eta mu h p u l v s t ->
-  let a := extrados eta - intrados eta * cos beta in
-  let b := intrados eta * cos beta - extrados eta * cos alpha in
-  exists x1 x2 x3 x4, 0 <= x1 /\ 0 <= x2 /\ 0 <= x3 /\ 0 <= x4 /\
-    a * u = x1 + x2 /\ b * v = x1 + x3 /\ sin sigma * s = x3 + x4 /\ sin alpha * t = x2 + x4 /\
-    l = u + v.
+  let a := extrados eta - intrados eta * cos beta in let b := intrados eta * cos beta - extrados eta * cos alpha in
+  exists x1 x2 x3 x4, 0 <= x1 /\ 0 <= x2 /\ 0 <= x3 /\ 0 <= x4 /\ a * u = x1 + x2 /\ b * v = x1 + x3 /\
+  sin sigma * s = x3 + x4 /\ sin alpha * t = x2 + x4 /\ l = u + v.
 Proof.
   intros Hd Hb Ha Hs He Hh ((Hu & Hl & Hv & Hs0 & Ht) & (Hp & Hbalance) & _ & HL & HU & _ & _) a b.
   fold a b in Hbalance. assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra).
@@ -180,13 +176,11 @@ Proof. intros Hb H. apply (Rmult_eq_reg_r b); lra. Qed.
 
 (** ** Thicker arches have room *)
 
-(** With the same thrust, between the intrados of any joint and the extrados of crown and
-    shoulder. *)
-Theorem thicker_arch_has_room (delta alpha beta eta eta' h p : R) :
-  0 <= delta <= 1 -> 0 <= beta <= alpha -> 0 < alpha < PI -> 0 < eta < eta' -> eta' <= 2 -> 0 < h ->
-  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
-  exists p', 0 < crown_gap eta' h p' /\ 0 < haunch_gap delta beta eta' h p'
-             /\ 0 < shoulder_gap delta alpha eta' h p'.
+(** With the same thrust, between the intrados of any joint and the extrados of crown and shoulder. *)
+Theorem thicker_arch_has_room (delta alpha beta eta eta' h p : R) : 0 <= delta <= 1 -> 0 <= beta <= alpha ->
+  0 < alpha < PI -> 0 < eta < eta' -> eta' <= 2 -> 0 < h ->
+  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) -> exists p', 0 < crown_gap eta' h p' /\
+  0 < haunch_gap delta beta eta' h p' /\ 0 < shoulder_gap delta alpha eta' h p'.
 Proof.
   intros Hd Hb Ha He He' Hh Hall. exists p. destruct (Hall 0 ltac:(lra)) as (_ & Hlow & Hcrown).
   rewrite normal_force_at_crown, cos_0 in Hlow, Hcrown.
@@ -221,10 +215,9 @@ Qed.
 
 (** Where a thinner arch stands, no hinge moves: what is left is [[s,s]], and the friction is that
     of the purely sliding state. *)
-Theorem no_motion_above_the_least (delta alpha beta sigma eta eta' mu h p u l v s t : R) :
-  0 <= delta <= 1 -> 0 <= beta <= alpha -> 0 < alpha < PI -> 0 < sigma <= alpha -> 0 <= mu ->
-  0 < eta < eta' -> eta' <= 2 -> 0 < normal_force sigma h -> 0 < normal_force alpha h ->
-  arch_stands delta alpha eta mu ->
+Theorem no_motion_above_the_least (delta alpha beta sigma eta eta' mu h p u l v s t : R) : 0 <= delta <= 1 ->
+  0 <= beta <= alpha -> 0 < alpha < PI -> 0 < sigma <= alpha -> 0 <= mu -> 0 < eta < eta' -> eta' <= 2 ->
+  0 < normal_force sigma h -> 0 < normal_force alpha h -> arch_stands delta alpha eta mu ->
   moves delta alpha beta sigma eta' mu h p u l v s t -> u = 0 /\ l = 0 /\ v = 0.
 Proof.
   intros Hd Hb Ha Hs Hmu He He' HNs HNa (h0 & p0 & Hall) Hmoves. assert (Hh0 : 0 < h0).
@@ -263,8 +256,7 @@ Qed.
 
 (** Within a wider arch the line of thrust is off the extrados, *)
 Lemma extrados_clear_within (delta alpha alpha' eta h p : R) : 0 < eta -> 0 < alpha < alpha' -> alpha' < PI ->
-  0 <= crown_gap eta h p -> 0 <= shoulder_gap delta alpha' eta h p ->
-  0 < shoulder_gap delta alpha eta h p.
+  0 <= crown_gap eta h p -> 0 <= shoulder_gap delta alpha' eta h p -> 0 < shoulder_gap delta alpha eta h p.
 Proof.
   intros He Ha Ha' Hc Hs.
   assert (H := margin_between (extrados eta) (fac delta eta) h 0 alpha alpha'
@@ -277,8 +269,7 @@ Proof.
 Qed.
 
 (** and no joint is about to slide outwards. *)
-Lemma no_outward_limit_within (alpha alpha' mu h : R) :
-  0 < alpha < alpha' -> alpha' < PI -> 0 <= mu -> 0 < h ->
+Lemma no_outward_limit_within (alpha alpha' mu h : R) : 0 < alpha < alpha' -> alpha' < PI -> 0 <= mu -> 0 < h ->
   0 <= outward_gap alpha' mu h -> 0 < outward_gap alpha mu h.
 Proof.
   intros Ha Ha' Hmu Hh Hgap. set (phi := atan mu). assert (Hphi : 0 <= phi < PI / 2).
@@ -316,8 +307,7 @@ Qed.
 Theorem no_motion_below_the_widest (delta alpha alpha' beta sigma eta mu h p u l v s t : R) : 0 <= delta <= 1 ->
   0 <= beta <= alpha -> 0 < alpha < alpha' -> alpha' < PI -> 0 < sigma <= alpha -> 0 <= mu -> 0 < eta <= 2 ->
   0 < normal_force sigma h -> 0 < normal_force alpha h -> arch_stands delta alpha' eta mu ->
-  moves delta alpha beta sigma eta mu h p u l v s t ->
-  u = 0 /\ l = 0 /\ v = 0 /\ s = 0 /\ t = 0.
+  moves delta alpha beta sigma eta mu h p u l v s t -> u = 0 /\ l = 0 /\ v = 0 /\ s = 0 /\ t = 0.
 Proof.
   intros Hd Hb Ha Ha' Hs Hmu He HNs HNa (h0 & p0 & Hall) Hmoves. assert (Hh0 : 0 < h0).
   { apply (friction_needs_thrust alpha' mu); try lra. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. now split. }
@@ -379,8 +369,7 @@ Proof.
     = (eta - eta0) * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0))) by (unfold fac; field).
   unfold shoulder_gap, normal_force, extrados in *.
   assert (Hmore : fac delta eta * (1 - cos alpha) * (2 + eta0)
-                  <= fac delta eta0 * (1 - cos alpha) * (2 + eta)) by nra.
-  apply Rnot_lt_le. intros Hless.
+                  <= fac delta eta0 * (1 - cos alpha) * (2 + eta)) by nra. apply Rnot_lt_le. intros Hless.
   assert (Hpos : 0 < (2 + eta) * (2 + eta0) * ((h0 - h) * (1 - cos alpha))) by (repeat apply Rmult_lt_0_compat; lra).
   nra.
 Qed.
@@ -399,8 +388,7 @@ Definition whole_joint_stands (delta x eta mu h p v : R) : Prop :=
 
 (** The mean of a state and its mirror image. *)
 Theorem symmetric_mean_stands (delta alpha eta mu h p v : R) :
-  (forall x, - alpha <= x <= alpha -> whole_joint_stands delta x eta mu h p v) ->
-  arch_stands delta alpha eta mu.
+  (forall x, - alpha <= x <= alpha -> whole_joint_stands delta x eta mu h p v) -> arch_stands delta alpha eta mu.
 Proof.
   intros Hall. exists h, p. intros x Hx. destruct (Hall x ltac:(lra)) as (HN & HM & HT).
   destruct (Hall (- x) ltac:(lra)) as (HN' & HM' & HT').

@@ -40,8 +40,7 @@ Definition thrust_row (eta : R) (m : motion) : R :=
   | SlidesInwards => sin (at_joint m)
   | SlidesOutwards => - sin (at_joint m)
   end.
-Definition moment_row (m : motion) : R :=
-  match moves_by m with AboutExtrados => -1 | AboutIntrados => 1 | _ => 0 end.
+Definition moment_row (m : motion) : R := match moves_by m with AboutExtrados => -1 | AboutIntrados => 1 | _ => 0 end.
 
 Fixpoint work (row : motion -> R) (motions : list motion) : R :=
   match motions with
@@ -145,8 +144,7 @@ Proof.
   nra.
 Qed.
 
-(** The intrados is not reached at a shoulder that slides outwards: the line of thrust comes from
-    below. *)
+(** The intrados is not reached at a shoulder that slides outwards: the line of thrust comes from below. *)
 Lemma intrados_free_at_sliding_shoulder : outward_gap alpha mu h = 0 -> haunch_gap delta alpha eta h p <> 0.
 Proof.
   intros EO EL. assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
@@ -277,15 +275,11 @@ Qed.
 
 (** And that is a sum of the modes, with the joints where these have them. *)
 Theorem sum_of_modes (beta sigma u l v s t : R) : 0 <= beta <= alpha -> 0 < sigma <= alpha ->
-  moves delta alpha beta sigma eta mu h p u l v s t ->
-  let a := extrados eta - intrados eta * cos beta in
-  let b := intrados eta * cos beta - extrados eta * cos alpha in
-  exists x1 x2 x3 x4, 0 <= x1 /\ 0 <= x2 /\ 0 <= x3 /\ 0 <= x4 /\
-    a * u = x1 + x2 /\ b * v = x1 + x3 /\ sin sigma * s = x3 + x4 /\ sin alpha * t = x2 + x4 /\
-    l = u + v /\ 0 < a /\ (0 < v -> 0 < b) /\
-    (0 < x1 \/ 0 < x2 -> 0 < beta < alpha) /\ (0 < x3 -> 0 <= beta < alpha) /\
-    (0 < x3 \/ 0 < x4 -> 0 < sigma < alpha) /\
-    (0 < u + l + v + s + t -> 0 < x1 + x2 + x3 + x4).
+  moves delta alpha beta sigma eta mu h p u l v s t -> let a := extrados eta - intrados eta * cos beta in
+  let b := intrados eta * cos beta - extrados eta * cos alpha in exists x1 x2 x3 x4, 0 <= x1 /\ 0 <= x2 /\ 0 <= x3 /\
+  0 <= x4 /\ a * u = x1 + x2 /\ b * v = x1 + x3 /\ sin sigma * s = x3 + x4 /\ sin alpha * t = x2 + x4 /\ l = u + v /\
+  0 < a /\ (0 < v -> 0 < b) /\ (0 < x1 \/ 0 < x2 -> 0 < beta < alpha) /\ (0 < x3 -> 0 <= beta < alpha) /\
+  (0 < x3 \/ 0 < x4 -> 0 < sigma < alpha) /\ (0 < u + l + v + s + t -> 0 < x1 + x2 + x3 + x4).
 Proof.
   intros Hb Hs Hmoves a b. destruct (four_supports delta alpha beta sigma eta mu h p u l v s t)
     as (x1 & x2 & x3 & x4 & P1 & P2 & P3 & P4 & Eu & Ev & Es & Et & El); try easy; try lra. fold a in Eu.
@@ -342,13 +336,11 @@ End Places.
 Theorem modes_without_limit (delta alpha eta h p : R) (motions : list motion) : 0 <= delta <= 1 -> 0 < alpha < PI ->
   0 < eta <= 2 -> (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
   (forall m, In m motions -> moves_by m = AboutExtrados \/ moves_by m = AboutIntrados) ->
-  is_mechanism delta alpha eta 0 h p motions ->
-  exists beta u v, 0 <= beta <= alpha /\
-    moves delta alpha beta alpha eta 0 h p u (u + v) v 0 0 /\
-    work (of_way AboutExtrados) motions = u + v /\ work (of_way AboutIntrados) motions = u + v /\
-    (extrados eta - intrados eta * cos beta) * u
-    = (intrados eta * cos beta - extrados eta * cos alpha) * v /\
-    (0 < u + v -> (0 < u /\ 0 < v) /\ (0 < h -> 0 < beta < alpha) /\ (h = 0 -> beta = 0 /\ p = 0)).
+  is_mechanism delta alpha eta 0 h p motions -> exists beta u v, 0 <= beta <= alpha /\
+  moves delta alpha beta alpha eta 0 h p u (u + v) v 0 0 /\ work (of_way AboutExtrados) motions = u + v /\
+  work (of_way AboutIntrados) motions = u + v /\
+  (extrados eta - intrados eta * cos beta) * u = (intrados eta * cos beta - extrados eta * cos alpha) * v /\
+  (0 < u + v -> (0 < u /\ 0 < v) /\ (0 < h -> 0 < beta < alpha) /\ (h = 0 -> beta = 0 /\ p = 0)).
 Proof.
   intros Hd Ha He Hstate Hhinges (Hall & Wthrust & Wmoment). assert (HPI := PI_RGT_0).
   assert (Hgaps : forall x, 0 <= x <= alpha -> 0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p).

@@ -19,9 +19,8 @@ From Couplet Require Export Arch.
 (** ** (6): the centroid of a thin wedge *)
 
 (** An integral from a primitive. *)
-Lemma integral_of_derivative (F F' : R -> R) (a b I : R) :
-  (forall x, is_derive F x (F' x)) -> (forall x, continuous F' x) -> I = F b - F a ->
-  is_RInt F' a b I.
+Lemma integral_of_derivative (F F' : R -> R) (a b I : R) : (forall x, is_derive F x (F' x)) ->
+  (forall x, continuous F' x) -> I = F b - F a -> is_RInt F' a b I.
 Proof. intros HF HF' ->. apply (is_RInt_derive F F'); auto. Qed.
 
 (** The area of the wedge per unit angle is the thickness, whatever the weight model. *)
@@ -83,11 +82,9 @@ Proof. intros Hg Hr Ht Hd w. unfold w. field. auto. Qed.
     above, and in the joint the forces [N] at the radius [rho] and [T] along the radius. *)
 
 Theorem equilibrium_of_upper_part (delta beta eta h crown N T rho : R) : normal_force beta h <> 0 ->
-  h - N * cos beta + T * sin beta = 0 /\
-  N * sin beta + T * cos beta - beta = 0 /\
-  h * crown + fac delta eta * (1 - cos beta) - N * rho = 0
-  <->
-  N = normal_force beta h /\ T = shear_force beta h /\ rho = pressure_point delta beta eta h crown.
+  h - N * cos beta + T * sin beta = 0 /\ N * sin beta + T * cos beta - beta = 0 /\
+  h * crown + fac delta eta * (1 - cos beta) - N * rho = 0 <-> N = normal_force beta h /\ T = shear_force beta h /\
+  rho = pressure_point delta beta eta h crown.
 Proof.
   intros HN. assert (Hcircle := sin2_cos2 beta); unfold Rsqr in Hcircle. split.
   - intros (Hx & Hy & Hm). assert (Hforces : N = normal_force beta h /\ T = shear_force beta h).
@@ -128,8 +125,7 @@ Proof. intros Hd. split; [intros <- | intros ->]; field; exact Hd. Qed.
 (** (2), (3), (4), (5) without denominators. *)
 Lemma lower_thrust_cleared (delta beta eta h : R) : 2 + eta - (2 - eta) * cos beta <> 0 ->
   h = h_lower delta beta eta <->
-  h * (2 + eta - (2 - eta) * cos beta)
-  = (2 - eta) * beta * sin beta - 2 * (1 - cos beta) * fac delta eta.
+  h * (2 + eta - (2 - eta) * cos beta) = (2 - eta) * beta * sin beta - 2 * (1 - cos beta) * fac delta eta.
 Proof. exact (equals_quotient _ _ _). Qed.
 
 Lemma upper_thrust_cleared (delta alpha beta eta h : R) : (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
@@ -141,8 +137,7 @@ Proof. exact (equals_quotient _ _ _). Qed.
 
 Lemma whole_thrust_cleared (delta alpha eta h : R) : 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
   h = h_whole delta alpha eta <->
-  h * ((1 - cos alpha) * (2 + eta))
-  = (2 + eta) * alpha * sin alpha - 2 * (1 - cos alpha) * fac delta eta.
+  h * ((1 - cos alpha) * (2 + eta)) = (2 + eta) * alpha * sin alpha - 2 * (1 - cos alpha) * fac delta eta.
 Proof.
   intros HA He.
   replace (h_whole delta alpha eta) with (((2 + eta) * alpha * sin alpha - 2 * (1 - cos alpha) * fac delta eta) /
@@ -150,10 +145,8 @@ Proof.
   now apply Rmult_integral_contrapositive.
 Qed.
 
-Lemma tangency_cleared (delta beta eta h : R) : sin beta <> 0 -> 2 - eta <> 0 ->
-  h = h_tangency delta beta eta <->
-  h * (sin beta * (2 - eta))
-  = (2 - eta) * (sin beta + beta * cos beta) - 2 * sin beta * fac delta eta.
+Lemma tangency_cleared (delta beta eta h : R) : sin beta <> 0 -> 2 - eta <> 0 -> h = h_tangency delta beta eta <->
+  h * (sin beta * (2 - eta)) = (2 - eta) * (sin beta + beta * cos beta) - 2 * sin beta * fac delta eta.
 Proof.
   intros HS He.
   replace (h_tangency delta beta eta) with (((2 - eta) * (sin beta + beta * cos beta) - 2 * sin beta * fac delta eta)
@@ -173,16 +166,14 @@ Proof.
 Qed.
 
 (** (4): thrust at the crown's extrados, line of thrust at the shoulder's extrados. *)
-Theorem whole_thrust_from_moments (delta alpha eta h : R) :
-  normal_force alpha h <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
-  pressure_point delta alpha eta h (extrados eta) = extrados eta <-> h = h_whole delta alpha eta.
+Theorem whole_thrust_from_moments (delta alpha eta h : R) : normal_force alpha h <> 0 -> 1 - cos alpha <> 0 ->
+  2 + eta <> 0 -> pressure_point delta alpha eta h (extrados eta) = extrados eta <-> h = h_whole delta alpha eta.
 Proof.
   intros HN HA He. rewrite (whole_thrust_cleared _ _ _ _ HA He). unfold pressure_point.
   rewrite (quotient_equals _ _ _ HN). unfold normal_force, extrados. split; lra.
 Qed.
 
-(** (3): line of thrust at the shoulder's extrados and at the haunch's intrados, wherever it is at
-    the crown. *)
+(** (3): line of thrust at the shoulder's extrados and at the haunch's intrados, wherever it is at the crown. *)
 Theorem upper_thrust_from_moments (delta alpha beta eta h crown : R) : normal_force alpha h <> 0 ->
   normal_force beta h <> 0 -> (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   pressure_point delta alpha eta h crown = extrados eta ->
@@ -198,23 +189,20 @@ Ltac clear_thrusts :=
     (upper_thrust_cleared _ _ _ _ _ HU); lra.
 
 (** (2) and (4) imply (3), for any weight and even where a joint carries no normal force. *)
-Theorem lower_and_whole_imply_upper (delta alpha beta eta h : R) :
-  2 + eta - (2 - eta) * cos beta <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
-  (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
+Theorem lower_and_whole_imply_upper (delta alpha beta eta h : R) : 2 + eta - (2 - eta) * cos beta <> 0 ->
+  1 - cos alpha <> 0 -> 2 + eta <> 0 -> (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   h = h_lower delta beta eta -> h = h_whole delta alpha eta -> h = h_upper delta alpha beta eta.
 Proof. clear_thrusts. Qed.
 
 (** (3) and (4) imply (2). *)
-Theorem upper_and_whole_imply_lower (delta alpha beta eta h : R) :
-  2 + eta - (2 - eta) * cos beta <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
-  (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
+Theorem upper_and_whole_imply_lower (delta alpha beta eta h : R) : 2 + eta - (2 - eta) * cos beta <> 0 ->
+  1 - cos alpha <> 0 -> 2 + eta <> 0 -> (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   h = h_upper delta alpha beta eta -> h = h_whole delta alpha eta -> h = h_lower delta beta eta.
 Proof. clear_thrusts. Qed.
 
 (** (2) and (3) imply (4). *)
-Theorem lower_and_upper_imply_whole (delta alpha beta eta h : R) :
-  2 + eta - (2 - eta) * cos beta <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
-  (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
+Theorem lower_and_upper_imply_whole (delta alpha beta eta h : R) : 2 + eta - (2 - eta) * cos beta <> 0 ->
+  1 - cos alpha <> 0 -> 2 + eta <> 0 -> (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   h = h_lower delta beta eta -> h = h_upper delta alpha beta eta -> h = h_whole delta alpha eta.
 Proof. clear_thrusts. Qed.
 

@@ -22,8 +22,7 @@ From Couplet Require Import Mechanisms Room Modes.
 (** Where the intrados is touched inside, (5) holds; at the crown the line of thrust goes away from it. *)
 Lemma haunch_of_wide_arch (delta alpha eta h p beta : R) : 0 < alpha < PI -> 0 < eta <= 2 ->
   (forall x, 0 <= x <= alpha -> 0 <= haunch_gap delta x eta h p) -> haunch_gap delta beta eta h p = 0 ->
-  0 < beta < alpha ->
-  intrados eta * (h - 1 - beta * cot beta) + fac delta eta = 0.
+  0 < beta < alpha -> intrados eta * (h - 1 - beta * cot beta) + fac delta eta = 0.
 Proof.
   intros Ha He Hall E Hb.
   set (D := (fac delta eta - intrados eta * (1 - h)) * sin beta - intrados eta * (beta * cos beta)).
@@ -90,10 +89,9 @@ Section Two.
 (** The state says of which arch it is. *)
 Context {delta alpha1 eta1 mu1 h1 p1 alpha2 eta2 mu2 h2 p2 : R}.
 Hypotheses (state1 : admissible_state delta alpha1 eta1 mu1 h1 p1)
-  (state2 : admissible_state delta alpha2 eta2 mu2 h2 p2) (flag : 0 <= delta <= 1)
-  (opening1 : 0 < alpha1 < PI) (thickness1 : 0 < eta1 <= 2) (rough1 : 0 < mu1)
-  (opening2 : 0 < alpha2 < PI) (thickness2 : 0 < eta2 <= 2) (rough2 : 0 < mu2)
-  (smoother : mu2 <= mu1) (thicker : eta1 <= eta2).
+  (state2 : admissible_state delta alpha2 eta2 mu2 h2 p2) (flag : 0 <= delta <= 1) (opening1 : 0 < alpha1 < PI)
+  (thickness1 : 0 < eta1 <= 2) (rough1 : 0 < mu1) (opening2 : 0 < alpha2 < PI) (thickness2 : 0 < eta2 <= 2)
+  (rough2 : 0 < mu2) (smoother : mu2 <= mu1) (thicker : eta1 <= eta2).
 
 Let thrust1 : 0 < h1 := thrust_positive state1 opening1 rough1.
 Let thrust2 : 0 < h2 := thrust_positive state2 opening2 rough2.
@@ -173,8 +171,7 @@ Proof.
         by (apply Rmult_lt_0_compat; lra). lra.
   - (* it is beyond *)
     assert (Htouch := haunch_of_wide_arch delta alpha2 eta2 h2 p2 beta opening2 thickness2
-                        (haunch_not_negative state2) EL Hb).
-    assert (H2 : h2 < beta * cot beta).
+                        (haunch_not_negative state2) EL Hb). assert (H2 : h2 < beta * cot beta).
     { unfold intrados in Htouch. assert (0 < 1 - eta2 / 2 < 1) by lra. apply Rnot_le_lt. intros Hle.
       assert (0 <= (1 - eta2 / 2) * (h2 - beta * cot beta)) by (apply Rmult_le_pos; lra). lra. }
     assert (Hfalls : beta * cot beta < alpha1 * cot alpha1) by (apply times_cotangent_falls; lra).
@@ -205,17 +202,16 @@ Qed.
 Theorem haunch_falls (sigma1 beta1 sigma2 beta2 : R) : 0 < sigma1 <= alpha1 -> inward_gap sigma1 mu1 h1 = 0 ->
   shoulder_at_limit alpha1 eta1 mu1 h1 p1 -> 0 < sigma2 <= alpha2 -> inward_gap sigma2 mu2 h2 = 0 ->
   shoulder_at_limit alpha2 eta2 mu2 h2 p2 -> 0 <= beta1 < alpha1 -> haunch_gap delta beta1 eta1 h1 p1 = 0 ->
-  0 <= beta2 < alpha2 -> haunch_gap delta beta2 eta2 h2 p2 = 0 ->
-  beta2 <= beta1 /\ (eta1 < eta2 \/ mu2 < mu1 -> beta2 = 0 \/ beta2 < beta1) /\
-  (h2 <= 1 / 2 \/ mu1 = mu2 -> sigma1 <= sigma2).
+  0 <= beta2 < alpha2 -> haunch_gap delta beta2 eta2 h2 p2 = 0 -> beta2 <= beta1 /\
+  (eta1 < eta2 \/ mu2 < mu1 -> beta2 = 0 \/ beta2 < beta1) /\ (h2 <= 1 / 2 \/ mu1 = mu2 -> sigma1 <= sigma2).
 Proof.
   intros Hs1 EI1 Hlimit1 Hs2 EI2 Hlimit2 Hb1 EL1 Hb2 EL2. assert (Hh1 := thrust1). assert (Hh2 := thrust2).
   destruct (sliding_thrust_is_less sigma1 Hs1 EI1 Hlimit1 Hlimit2) as [Hle Hsame].
   destruct (slides_at_steepest_joint state1 flag opening1 thickness1 rough1
               sigma1 Hs1 EI1 Hlimit1) as (H1 & Es1 & _ & M1).
   destruct (slides_at_steepest_joint state2 flag opening2 thickness2 rough2
-              sigma2 Hs2 EI2 Hlimit2) as (H2 & Es2 & _ & M2).
-  assert (HL1 := haunch_not_negative state1). assert (HL2 := haunch_not_negative state2).
+              sigma2 Hs2 EI2 Hlimit2) as (H2 & Es2 & _ & M2). assert (HL1 := haunch_not_negative state1).
+  assert (HL2 := haunch_not_negative state2).
   assert (Hfalls : 0 < beta2 -> beta2 <= beta1 /\ (eta1 < eta2 \/ mu2 < mu1 -> beta2 < beta1)).
   { intros Hpos.
     assert (T2 := haunch_of_wide_arch delta alpha2 eta2 h2 p2 beta2 opening2 thickness2 HL2 EL2 ltac:(lra)).
@@ -249,8 +245,7 @@ Proof.
         * unfold k, k1 in *. rewrite H in *. destruct Hstrict as [Heta | Hmu]; [|specialize (Hrougher Hmu); lra].
           specialize (Hthinner Heta).
           assert (0 <= intrados eta1 * (h2 - 1 - beta1 * cot beta1 - (h1 - 1 - beta1 * cot beta1)))
-            by (apply Rmult_le_pos; lra).
-          lra.
+            by (apply Rmult_le_pos; lra). lra.
         * assert (Hcot : beta2 * cot beta2 < beta1 * cot beta1) by (apply times_cotangent_falls; lra).
           unfold k, k1 in Hk1. lra. }
   split; [|split].
@@ -286,28 +281,26 @@ Qed.
 
 (** A crown that turns is that of a rotational state, no narrower than the arch; if the shoulder slides
     it asks there for at least the friction there is, and an inner joint for no more. *)
-Theorem rotational_state_of_crown (beta : R) : 0 < beta < alpha2 ->
-  crown_gap eta2 h2 p2 = 0 -> haunch_gap delta beta eta2 h2 p2 = 0 ->
-  exists alpha0, alpha2 <= alpha0 < PI /\ rotational_state delta alpha0 beta eta2 /\
-    h2 = h_lower delta beta eta2 /\ h2 < 1 /\
-    (shoulder_gap delta alpha2 eta2 h2 p2 = 0 -> alpha0 = alpha2) /\
-    (outward_gap alpha2 mu2 h2 = 0 -> mu_is h2 <= mu2 <= mu_ss alpha0 h2).
+Theorem rotational_state_of_crown (beta : R) : 0 < beta < alpha2 -> crown_gap eta2 h2 p2 = 0 ->
+  haunch_gap delta beta eta2 h2 p2 = 0 -> exists alpha0, alpha2 <= alpha0 < PI /\
+  rotational_state delta alpha0 beta eta2 /\ h2 = h_lower delta beta eta2 /\ h2 < 1 /\
+  (shoulder_gap delta alpha2 eta2 h2 p2 = 0 -> alpha0 = alpha2) /\
+  (outward_gap alpha2 mu2 h2 = 0 -> mu_is h2 <= mu2 <= mu_ss alpha0 h2).
 Proof.
   intros Hb EC EL. assert (Hh := thrust2). assert (HPI := PI2_3_2). assert (Hthin := crown_is_thin beta Hb EC EL).
   assert (Hfac := centroids_positive delta eta2 ltac:(lra)).
   assert (Htouch := haunch_of_wide_arch delta alpha2 eta2 h2 p2 beta opening2 thickness2
-                      (haunch_not_negative state2) EL Hb).
-  assert (HSb : 0 < sin beta) by (apply sin_gt_0; lra).
+                      (haunch_not_negative state2) EL Hb). assert (HSb : 0 < sin beta) by (apply sin_gt_0; lra).
   assert (Hlever := lever_of_lower_thrust_positive beta eta2 ltac:(lra)). assert (E2 : h2 = h_lower delta beta eta2).
-  { apply lower_thrust_cleared; [lra|]. unfold crown_gap, haunch_gap, extrados, intrados, normal_force in EC, EL. lra. }
+  { apply lower_thrust_cleared; [lra|]. unfold crown_gap, haunch_gap, extrados, intrados, normal_force in EC, EL.
+    lra. }
   assert (E5 : h2 = h_tangency delta beta eta2).
   { apply tangency_cleared; [lra | lra|]. unfold intrados, cot in Htouch.
     assert (Hscaled : sin beta * ((1 - eta2 / 2) * (h2 - 1 - beta * (cos beta / sin beta)) + fac delta eta2) = 0)
       by (rewrite Htouch; ring).
     replace (sin beta * ((1 - eta2 / 2) * (h2 - 1 - beta * (cos beta / sin beta)) + fac delta eta2))
       with ((1 - eta2 / 2) * ((h2 - 1) * sin beta - beta * cos beta) + fac delta eta2 * sin beta)
-      in Hscaled by (field; lra).
-    lra. }
+      in Hscaled by (field; lra). lra. }
   assert (H1 : h2 < 1).
   { assert (Hcot := times_cotangent_below_one beta ltac:(lra)). unfold intrados in Htouch. apply Rnot_le_lt. intros H.
     assert (0 < (1 - eta2 / 2) * (h2 - beta * cot beta)) by (apply Rmult_lt_0_compat; lra). lra. }
@@ -335,9 +328,8 @@ Proof.
     apply (extrados_clear_within delta alpha2 alpha0); try lra. assert (H := Hlevel alpha0). lra.
   - intros EO. split; [apply inner_friction_is_enough; [now right | easy]|].
     assert (Hstands := rotational_state_stands delta alpha0 beta eta2 ltac:(lra) ltac:(lra) ltac:(lra)
-                         ltac:(lra) Hstate alpha0 ltac:(lra)).
-    cbv zeta in Hstands. rewrite <- E2 in Hstands. destruct Hstands as [HN0 _].
-    assert (HN := compressed state2 flag opening2 thickness2 rough2 alpha2 ltac:(lra)).
+                         ltac:(lra) Hstate alpha0 ltac:(lra)). cbv zeta in Hstands. rewrite <- E2 in Hstands.
+    destruct Hstands as [HN0 _]. assert (HN := compressed state2 flag opening2 thickness2 rough2 alpha2 ltac:(lra)).
     assert (Hsteep : steepness alpha2 h2 = - mu2).
     { unfold outward_gap in EO. unfold steepness. apply (Rmult_eq_reg_r (normal_force alpha2 h2)); [|lra].
       field_simplify; lra. }

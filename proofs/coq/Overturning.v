@@ -43,8 +43,7 @@ Qed.
 
 (** It takes a value between two of its values once. *)
 Theorem half_opening v lo hi : 0 < lo -> lo < hi -> hi < 2 * PI -> v < A lo -> A hi < v ->
-  exists alpha, lo < alpha < hi /\ A alpha = v /\
-    (forall other, 0 < other < 2 * PI -> A other = v -> other = alpha).
+  exists alpha, lo < alpha < hi /\ A alpha = v /\ (forall other, 0 < other < 2 * PI -> A other = v -> other = alpha).
 Proof.
   intros H0 Hlohi Hpi Hlo Hhi.
   destruct (Ranalysis5.IVT_interv (fun x => v - A x) lo hi) as [alpha [Halpha Hroot]]; try lra.
@@ -64,9 +63,8 @@ Proof. unfold h_whole, A_overturning, fac. split; lra. Qed.
 
 (** From (3) with the rotational joint at the crown. Unlike (4) it has a denominator of its own,
     which is positive for [alpha >= PI/2]. *)
-Theorem overturning_from_upper_thrust (delta alpha eta : R) :
-  1 - cos alpha <> 0 -> 2 + eta <> 0 -> (2 - eta) - (2 + eta) * cos alpha <> 0 ->
-  h_upper delta alpha 0 eta = 0 <-> A alpha = A_overturning delta eta.
+Theorem overturning_from_upper_thrust (delta alpha eta : R) : 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
+  (2 - eta) - (2 + eta) * cos alpha <> 0 -> h_upper delta alpha 0 eta = 0 <-> A alpha = A_overturning delta eta.
 Proof.
   intros HA He HD. rewrite <- overturning_from_whole_thrust.
   assert (HD' : (2 - eta) * cos 0 - (2 + eta) * cos alpha <> 0) by (rewrite cos_0; lra).
@@ -122,8 +120,7 @@ Proof.
   - rewrite H.
     replace (3 * A - sqrt (3 * (3 * A ^ 2 + 4 * A - 4)) - 3 * A) with (- sqrt (3 * (3 * A ^ 2 + 4 * A - 4))) by ring.
     replace ((- sqrt (3 * (3 * A ^ 2 + 4 * A - 4))) ^ 2)
-      with (sqrt (3 * (3 * A ^ 2 + 4 * A - 4)) * sqrt (3 * (3 * A ^ 2 + 4 * A - 4))) by ring.
-    now apply sqrt_sqrt.
+      with (sqrt (3 * (3 * A ^ 2 + 4 * A - 4)) * sqrt (3 * (3 * A ^ 2 + 4 * A - 4))) by ring. now apply sqrt_sqrt.
 Qed.
 
 (** Both roots: (15) right and another one, which is not below the physical limit 2. *)
@@ -257,9 +254,8 @@ Proof.
 Qed.
 
 (** Its only root is another number. *)
-Theorem root_of_printed_16 :
-  exists root, 0.96 < root < 0.97 /\
-  forall eta, 2 - eta <> 0 -> end_of_rotation_printed 1 eta = 0 <-> eta = root.
+Theorem root_of_printed_16 : exists root, 0.96 < root < 0.97 /\ forall eta, 2 - eta <> 0 ->
+  end_of_rotation_printed 1 eta = 0 <-> eta = root.
 Proof.
   destruct (IVT (fun x => x ^ 3 + 24 * x - 24) 0.96 0.97) as (root & Hin & Hroot); try lra.
   { reg. }
@@ -271,8 +267,7 @@ Qed.
 
 (** Refuted: it is not what (5) says at the crown without thrust. *)
 Theorem printed_16_does_not_follow_from_5 :
-  ~ (forall eta, 0 < eta < 2 ->
-       is_lim (fun beta => h_tangency 1 beta eta) 0 0 <-> end_of_rotation_printed 1 eta = 0).
+  ~ (forall eta, 0 < eta < 2 -> is_lim (fun beta => h_tangency 1 beta eta) 0 0 <-> end_of_rotation_printed 1 eta = 0).
 Proof.
   intros H. assert (He := eta_l_in_the_arch). apply printed_16_does_not_have_its_root, H; [easy|].
   apply corrected_16_is_tangency_at_crown; [lra|]. now apply end_of_rotation_milankovitch; lra.
@@ -295,8 +290,7 @@ Proof. unfold A_heyman. lra. Qed.
 Theorem A_L_milankovitch : A_milankovitch 2 = 2 / 3.
 Proof. unfold A_milankovitch. lra. Qed.
 
-(** At [A = 2/3] the term under the square root of (15) is 0 and [eta = 2], with a vertical
-    tangent. *)
+(** At [A = 2/3] the term under the square root of (15) is 0 and [eta = 2], with a vertical tangent. *)
 Theorem radicand_of_15_at_L : 3 * (3 * (2 / 3) ^ 2 + 4 * (2 / 3) - 4) = 0.
 Proof. field. Qed.
 
@@ -306,10 +300,8 @@ Proof. unfold eta_milankovitch. rewrite radicand_of_15_at_L, sqrt_0. lra. Qed.
 Theorem vertical_tangent_at_L : is_derive A_milankovitch 2 0.
 Proof. unfold A_milankovitch. auto_derive; [lra | field]. Qed.
 
-(** The physical limit of Milankovitch's overturning arch has the half-angle at which Heyman's
-    rotation ends. *)
-Theorem L_of_milankovitch_is_l_of_heyman (alpha_L alpha_l : R) :
-  0 < alpha_L < 2 * PI -> 0 < alpha_l < 2 * PI ->
+(** The physical limit of Milankovitch's overturning arch has the half-angle at which Heyman's rotation ends. *)
+Theorem L_of_milankovitch_is_l_of_heyman (alpha_L alpha_l : R) : 0 < alpha_L < 2 * PI -> 0 < alpha_l < 2 * PI ->
   h_whole 1 alpha_L 2 = 0 -> h_whole 0 alpha_l 1 = 0 -> alpha_L = alpha_l.
 Proof.
   intros HL Hl EL El. apply A_injective; try easy. apply overturning_from_whole_thrust in EL, El. rewrite EL, El.

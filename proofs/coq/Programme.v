@@ -84,8 +84,7 @@ Proof.
     { assert (A := Hpos h Hh). apply Rdiv_lt_0_compat; [| lra].
       destruct A as [A | A]; [easy | rewrite (Hzero h Hh (eq_sym A)) in Hfall; lra]. }
     destruct (first_zero forms x w _ (fun f Hf => conj (flat f Hf) (conj (Hpos f Hf) (Hzero f Hf))) Hfar)
-      as (t & Ht & Hall & Hend).
-    assert (Hreached : exists f, In f forms /\ f x <> 0 /\ f (line x w t) = 0).
+      as (t & Ht & Hall & Hend). assert (Hreached : exists f, In f forms /\ f x <> 0 /\ f (line x w t) = 0).
     { destruct Hend as [-> | Hend]; [exists h | easy]. split; [easy |]. split.
       - intros Z. rewrite (Hzero h Hh Z) in Hfall. lra.
       - rewrite flat by easy. field. lra. }
@@ -98,8 +97,8 @@ Proof.
   { intros w Hw. apply NNPP. intros Hnone. assert (g x <= g w); [| lra]. apply grows. intros h Hh. apply Rnot_lt_le.
     intros A. apply Hnone. now exists h. }
   assert (Hback : forall h, In h forms -> h x = 0 -> h (line x y (-1)) = 0)
-    by (intros h Hh Z; rewrite flat, Z, (Hsame h Hh Z) by easy; ring).
-  assert (Hin' := straight x y (-1) Hin Hy). assert (G := level x y (-1)). assert (F := flat f Hf x y (-1)).
+    by (intros h Hh Z; rewrite flat, Z, (Hsame h Hh Z) by easy; ring). assert (Hin' := straight x y (-1) Hin Hy).
+  assert (G := level x y (-1)). assert (F := flat f Hf x y (-1)).
   destruct (Rtotal_order (g y) (g x)) as [A | [A | A]].
   - apply (step y); auto. lra.
   - destruct (Rlt_le_dec (f y) (f x)); [apply (step y) | apply (step (line x y (-1)))]; auto; try lra;

@@ -13,12 +13,19 @@ From Couplet Require Cones.
 Definition admissible_state (delta alpha eta mu h p : R) : Prop :=
   forall x, 0 <= x <= alpha -> joint_stands delta x eta h p /\ friction_holds x mu h.
 
-(** [shoulder_gap] and [haunch_gap] are the distances from the extrados and the intrados at any
-    joint. *)
+(** [shoulder_gap] and [haunch_gap] are the distances from the extrados and the intrados at any joint. *)
 Definition leaves_room (delta alpha eta mu h p : R) : Prop :=
   forall x, 0 <= x <= alpha ->
     0 < shoulder_gap delta x eta h p /\ 0 < haunch_gap delta x eta h p /\
     0 < inward_gap x mu h /\ 0 < outward_gap x mu h.
+
+(** A mechanism moves the state: its joints with a rate are at their limits. *)
+Definition state_moves (delta alpha eta mu h p : R) : Prop :=
+  exists beta sigma u l v s t, 0 <= beta <= alpha /\ 0 < sigma <= alpha /\
+    0 < u + l + v + s + t /\ moves delta alpha beta sigma eta mu h p u l v s t.
+
+Lemma below_both (a b : R) : 0 < a -> 0 < b -> exists e, 0 < e /\ e <= a /\ e <= b.
+Proof. exists (Rmin a b). auto using Rmin_glb_lt, Rmin_l, Rmin_r. Qed.
 
 (** ** A little way in a direction *)
 
@@ -64,10 +71,9 @@ Lemma margins_on_a_line (delta x eta mu h p h' p' t : R) :
   = outward_gap x mu h + t * (outward_gap x mu h' - outward_gap x mu h).
 Proof. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force. repeat split; ring. Qed.
 
-Lemma margins_continuous (delta eta mu h p : R) :
-  continuity (fun x => shoulder_gap delta x eta h p) /\
-  continuity (fun x => haunch_gap delta x eta h p) /\
-  continuity (fun x => inward_gap x mu h) /\ continuity (fun x => outward_gap x mu h).
+Lemma margins_continuous (delta eta mu h p : R) : continuity (fun x => shoulder_gap delta x eta h p) /\
+  continuity (fun x => haunch_gap delta x eta h p) /\ continuity (fun x => inward_gap x mu h) /\
+  continuity (fun x => outward_gap x mu h).
 Proof. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force. repeat split; reg. Qed.
 
 (** ** The joints at a limit *)
@@ -77,20 +83,21 @@ Proof.
   intros Hd. unfold fac. assert (0 <= delta * eta ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). lra.
 Qed.
 
+Lemma at_one_joint (P : R -> Prop) (alpha : R) : (forall x y, 0 <= x -> x < y <= alpha -> P x -> ~ P y) ->
+  forall x y, 0 <= x <= alpha -> 0 <= y <= alpha -> P x -> P y -> x = y.
+Proof.
+  intros H x y Hx Hy Px Py.
+  destruct (Rtotal_order x y) as [L | [E | L]]; [now destruct (H x y) | easy | now destruct (H y x)].
+Qed.
+
 (** The line of thrust touches the intrados at one joint only, whatever the thrust. *)
-Lemma intrados_touched_once (delta alpha eta h p x y : R) :
-  0 <= delta -> alpha < PI -> 0 < eta <= 2 ->
-  (forall z, 0 <= z <= alpha -> 0 <= haunch_gap delta z eta h p) ->
-  0 <= x <= alpha -> 0 <= y <= alpha ->
+Lemma intrados_touched_once (delta alpha eta h p x y : R) : 0 <= delta -> alpha < PI -> 0 < eta <= 2 ->
+  (forall z, 0 <= z <= alpha -> 0 <= haunch_gap delta z eta h p) -> 0 <= x <= alpha -> 0 <= y <= alpha ->
   haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y.
 Proof.
   intros Hd Ha He Hall.
-  enough (H : forall x y, 0 <= x -> x < y <= alpha ->
-            haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p <> 0).
-  { intros Hx Hy Ex Ey. destruct (Rtotal_order x y) as [H1 | [H1 | H1]]; [|easy|].
-    - now destruct (H x y).
-    - now destruct (H y x). }
-  clear x y. intros x y Hx Hy Ex Ey. destruct (Req_dec eta 2) as [E2 | E2].
+  apply (at_one_joint (fun x => haunch_gap delta x eta h p = 0)). clear x y. intros x y Hx Hy Ex Ey.
+  destruct (Req_dec eta 2) as [E2 | E2].
   - assert (cos y < cos x) by (apply cos_decreasing_1; lra). assert (Hfac := centroids_positive delta eta Hd).
     assert (0 < fac delta eta * (cos x - cos y)) by (apply Rmult_lt_0_compat; lra). unfold haunch_gap, intrados in *.
     rewrite E2 in *. lra.
@@ -100,6 +107,14 @@ Proof.
     assert (Hleast : p + fac delta eta <= Rmin (margin (intrados eta) (fac delta eta) h x)
       (margin (intrados eta) (fac delta eta) h y)) by (apply Rmin_glb; unfold haunch_gap, margin in *; lra).
     unfold haunch_gap, margin in *. lra.
+Qed.
+
+(** At a limit of friction [T/N] is the friction. *)
+Lemma steepness_at_limit (x mu h : R) : 0 < normal_force x h ->
+  (inward_gap x mu h = 0 -> steepness x h = mu) /\ (outward_gap x mu h = 0 -> steepness x h = - mu).
+Proof.
+  intros HN. unfold inward_gap, outward_gap, steepness.
+  split; intros E; (apply (Rmult_eq_reg_r (normal_force x h)); [field_simplify |]; lra).
 Qed.
 
 Section State.
@@ -132,9 +147,8 @@ Proof.
   lra.
 Qed.
 
-Lemma margins_not_negative (x : R) : 0 <= x <= alpha ->
-  0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p /\
-  0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h.
+Lemma margins_not_negative (x : R) : 0 <= x <= alpha -> 0 <= shoulder_gap delta x eta h p /\
+  0 <= haunch_gap delta x eta h p /\ 0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h.
 Proof.
   intros Hx. destruct (state x Hx) as [(_ & Hin & Hout) Hf]. unfold friction_holds in Hf. apply Rabs_le_between in Hf.
   unfold shoulder_gap, haunch_gap, inward_gap, outward_gap. lra.
@@ -173,17 +187,12 @@ Lemma inward_limit_reached_once (x y : R) : 0 <= x <= alpha -> 0 <= y <= alpha -
   inward_gap x mu h = 0 -> inward_gap y mu h = 0 -> x = y.
 Proof.
   assert (Hh := thrust_positive). assert (Hsteep : forall x, 0 <= x <= alpha -> steepness x h <= mu).
-  { intros x0 Hx. assert (HN := compressed x0 Hx). destruct (margins_not_negative x0 Hx) as (_ & _ & HI & _).
-    unfold inward_gap in HI. unfold steepness. apply (Rmult_le_reg_r (normal_force x0 h)); [easy|].
-    field_simplify; lra. }
-  assert (Hlimit : forall x, 0 <= x <= alpha -> inward_gap x mu h = 0 -> steepness x h = mu).
-  { intros x0 Hx E. assert (HN := compressed x0 Hx). unfold inward_gap in E. unfold steepness.
-    apply (Rmult_eq_reg_r (normal_force x0 h)); [|lra]. field_simplify; lra. }
-  enough (H : forall x y, 0 <= x -> x < y <= alpha -> inward_gap x mu h = 0 -> inward_gap y mu h <> 0).
-  { intros Hx Hy Ex Ey. destruct (Rtotal_order x y) as [H1 | [H1 | H1]]; [|easy|].
-    - now destruct (H x y).
-    - now destruct (H y x). }
-  clear x y. intros x y Hx Hy Ex Ey. destruct (Rle_lt_dec h 1) as [H1 | H1].
+  { intros z Hz. destruct (margins_not_negative z Hz) as (_ & _ & HI & _).
+    apply steepness_at_most; [now apply compressed |]. unfold inward_gap in HI. lra. }
+  assert (Hlimit : forall x, 0 <= x <= alpha -> inward_gap x mu h = 0 -> steepness x h = mu)
+    by (intros z Hz; apply (steepness_at_limit z mu h (compressed z Hz))).
+  apply (at_one_joint (fun x => inward_gap x mu h = 0)). clear x y. intros x y Hx Hy Ex Ey.
+  destruct (Rle_lt_dec h 1) as [H1 | H1].
   - apply Hlimit in Ex, Ey; try lra. assert (HN := compressed alpha ltac:(lra)).
     assert (Hb : 0 <= beta_s h) by apply sqrt_pos. destruct (Rle_lt_dec y (beta_s h)) as [Hs | Hs].
     + assert (steepness x h < steepness y h) by (apply steepness_grows_before_beta_s; lra). lra.
@@ -231,6 +240,13 @@ Proof.
     unfold crown_gap, haunch_gap, shoulder_gap, inward_gap, outward_gap, normal_force, shear_force; ring.
 Qed.
 
+(** What the thrust does to the limit of friction that is reached at a joint. *)
+Lemma row_of_slip (x m : R) : m * normal_force x h = shear_force x h -> normal_force x h * (m * cos x + sin x) = x.
+Proof.
+  intros E. transitivity (m * normal_force x h * cos x + normal_force x h * sin x); [ring |]. rewrite E.
+  unfold shear_force, normal_force. transitivity (x * (sin x ^ 2 + cos x ^ 2)); [| rewrite (circle x)]; ring.
+Qed.
+
 (** What a multiplier of the friction at a joint is as a rate. *)
 Lemma rate_of_slip (x row k : R) : 0 < x < PI -> 0 < normal_force x h -> 0 <= k ->
   (k = 0 \/ normal_force x h * row = x) ->
@@ -239,8 +255,7 @@ Proof.
   intros Hx HN Hk Hrow. assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
   exists (k * (x / (normal_force x h * sin x))).
   assert (Hscale : 0 < x / (normal_force x h * sin x))
-    by (apply Rdiv_lt_0_compat; [lra | now apply Rmult_lt_0_compat]).
-  repeat split.
+    by (apply Rdiv_lt_0_compat; [lra | now apply Rmult_lt_0_compat]). repeat split.
   - apply Rmult_le_pos; lra.
   - destruct Hrow as [-> | Hrow]; [ring|]. assert (E : row = x / normal_force x h).
     { apply (Rmult_eq_reg_l (normal_force x h)); [rewrite Hrow; field|]; lra. }
@@ -251,9 +266,8 @@ Qed.
 
 Lemma multipliers_are_rates (beta sigma : R) (k : nat -> R) (c : R) : 0 <= beta <= alpha -> 0 < sigma <= alpha ->
   (forall i, 0 <= k i) -> 0 < Cones.sum k 5 -> c <= 0 ->
-  (forall x, True -> Cones.weighted k (forms beta sigma) x = c) ->
-  exists u l v s t, 0 < u + l + v + s + t /\
-    moves delta alpha beta sigma eta mu h p u l v s t.
+  (forall x, True -> Cones.weighted k (forms beta sigma) x = c) -> exists u l v s t, 0 < u + l + v + s + t /\
+  moves delta alpha beta sigma eta mu h p u l v s t.
 Proof.
   intros Hb Hs Hk Hsum Hc Hconstant. simpl in Hsum. set (k1 := k 0%nat) in *. set (k2 := k 1%nat) in *.
   set (k3 := k 2%nat) in *. set (k4 := k 3%nat) in *. set (k5 := k 4%nat) in *.
@@ -281,23 +295,12 @@ Proof.
     unfold crown_gap, haunch_gap, shoulder_gap, inward_gap, outward_gap, normal_force, shear_force in W, Wh. lra. }
   assert (HNs := compressed sigma ltac:(lra)). assert (HNa := compressed alpha ltac:(lra)).
   destruct (rate_of_slip sigma (mu * cos sigma + sin sigma) k4) as (s & Hs0 & Es & Hs1 & Hs2); try easy; try lra.
-  { destruct (Req_dec k4 0) as [E | E]; [now left | right].
-    assert (EI : inward_gap sigma mu h = 0) by (apply (Rmult_eq_reg_l k4); lra).
-    destruct (slip_rows_are_scaled sigma mu h (h + 1) HNs) as [Hin _]. assert (Hin' := Hin EI).
-    unfold inward_gap in *.
-    replace (mu * normal_force sigma (h + 1) - shear_force sigma (h + 1))
-      with (mu * normal_force sigma h - shear_force sigma h + (mu * cos sigma + sin sigma)) in Hin'
-      by (unfold normal_force, shear_force; ring).
-    rewrite EI in Hin'. lra. }
+  { destruct (Req_dec k4 0) as [E | E]; [now left | right]. apply row_of_slip, (Rmult_eq_reg_l k4); [|easy].
+    unfold inward_gap in Z4. lra. }
   destruct (rate_of_slip alpha (sin alpha - mu * cos alpha) k5) as (t & Ht0 & Et & Ht1 & Ht2); try easy; try lra.
   { destruct (Req_dec k5 0) as [E | E]; [now left | right].
-    assert (EO : outward_gap alpha mu h = 0) by (apply (Rmult_eq_reg_l k5); lra).
-    destruct (slip_rows_are_scaled alpha mu h (h + 1) HNa) as [_ Hout]. assert (Hout' := Hout EO).
-    unfold outward_gap in *.
-    replace (mu * normal_force alpha (h + 1) + shear_force alpha (h + 1))
-      with (mu * normal_force alpha h + shear_force alpha h - (sin alpha - mu * cos alpha)) in Hout'
-      by (unfold normal_force, shear_force; ring).
-    rewrite EO in Hout'. lra. }
+    replace (sin alpha - mu * cos alpha) with (- mu * cos alpha + sin alpha) by ring.
+    apply row_of_slip, (Rmult_eq_reg_l k5); [|easy]. unfold outward_gap in Z5. lra. }
   exists k1, k2, k3, s, t. split.
   - destruct (Rlt_dec 0 k4) as [L4 | L4]; [specialize (Hs2 L4); lra|].
     destruct (Rlt_dec 0 k5) as [L5 | L5]; [specialize (Ht2 L5); lra | lra].
@@ -311,9 +314,7 @@ Qed.
 
 (** Every admissible state either moves or has one that leaves room beside it. *)
 Theorem moves_or_leaves_room :
-  (exists beta sigma u l v s t, 0 <= beta <= alpha /\ 0 < sigma <= alpha /\
-     0 < u + l + v + s + t /\ moves delta alpha beta sigma eta mu h p u l v s t) \/
-  (exists h' p', leaves_room delta alpha eta mu h' p').
+  state_moves delta alpha eta mu h p \/ exists h' p', leaves_room delta alpha eta mu h' p'.
 Proof.
   assert (Hh := thrust_positive).
   destruct haunch_of_state as (beta & Hb & Hbeta), slip_of_state as (sigma & Hs & Hsigma).
@@ -322,8 +323,8 @@ Proof.
   - right. assert (C := Hstrict _ (or_introl eq_refl)). assert (L := Hstrict _ (or_intror (or_introl eq_refl))).
     assert (U := Hstrict _ (or_intror (or_intror (or_introl eq_refl)))).
     assert (I := Hstrict _ (or_intror (or_intror (or_intror (or_introl eq_refl))))).
-    assert (O := Hstrict _ (or_intror (or_intror (or_intror (or_intror (or_introl eq_refl)))))). simpl in C, L, U, I, O.
-    destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
+    assert (O := Hstrict _ (or_intror (or_intror (or_intror (or_intror (or_introl eq_refl)))))).
+    simpl in C, L, U, I, O. destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
     destruct (margins_continuous delta eta mu h' p') as (CU' & CL' & CI' & CO').
     assert (Hway : forall f g : R -> R, continuity f -> continuity g -> (forall x, 0 <= x <= alpha -> 0 <= f x) ->
       (forall x, 0 <= x <= alpha -> f x = 0 -> 0 < g x) -> exists e, 0 < e /\ forall t, 0 < t <= e -> forall x,
@@ -344,18 +345,13 @@ Proof.
     destruct (Hway _ _ CO CO') as (e4 & He4 & HO).
     { intros x Hx. now destruct (margins_not_negative x Hx) as (_ & _ & _ & H). }
     { intros x Hx E. now rewrite (outward_limit_reached x Hx E). }
-    set (e := Rmin (Rmin e1 e2) (Rmin e3 e4)). assert (He : 0 < e) by (unfold e; repeat apply Rmin_glb_lt; easy).
-    assert (B1 : e <= e1) by (eapply Rle_trans; [apply Rmin_l | apply Rmin_l]).
-    assert (B2 : e <= e2) by (eapply Rle_trans; [apply Rmin_l | apply Rmin_r]).
-    assert (B3 : e <= e3) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_l]).
-    assert (B4 : e <= e4) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_r]).
-    exists (h + e * (h' - h)), (p + e * (p' - p)). intros x Hx.
-    destruct (margins_on_a_line delta x eta mu h p h' p' e) as (-> & -> & -> & ->).
+    destruct (below_both e1 e2 He1 He2) as (d & Hd & B1 & B2), (below_both e3 e4 He3 He4) as (d' & Hd' & B3 & B4).
+    destruct (below_both d d' Hd Hd') as (e & He & B & B'). exists (h + e * (h' - h)), (p + e * (p' - p)).
+    intros x Hx. destruct (margins_on_a_line delta x eta mu h p h' p' e) as (-> & -> & -> & ->).
     repeat split; [apply HU | apply HL | apply HI | apply HO]; lra.
   - left. exists beta, sigma.
     destruct (multipliers_are_rates beta sigma k c Hb Hs Hnotneg Hsum Hc Hconstant)
-      as (u & l & v & s & t & Hsome & Hmoves).
-    exists u, l, v, s, t. tauto.
+      as (u & l & v & s & t & Hsome & Hmoves). exists u, l, v, s, t. tauto.
 Qed.
 
 End State.
@@ -393,15 +389,12 @@ Proof.
   { unfold normal_force. reg. }
   { intros x Hx. destruct (Hroom x Hx) as (_ & H & _). lra. }
   { intros x Hx E. destruct (Hroom x Hx) as (_ & H & _). lra. }
-  set (t := Rmin (eta / 2) (Rmin e1 e2)). assert (Ht : 0 < t) by (unfold t; repeat apply Rmin_glb_lt; lra).
-  assert (B0 : t <= eta / 2) by apply Rmin_l.
-  assert (B1 : t <= e1) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_l]).
-  assert (B2 : t <= e2) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_r]). exists (eta - t). split; [lra|].
+  destruct (below_both e1 e2 He1 He2) as (e & He0 & B1 & B2).
+  destruct (below_both (eta / 2) e ltac:(lra) He0) as (t & Ht & B0 & B). exists (eta - t). split; [lra|].
   apply (stands_by_margins delta alpha (eta - t) mu h p); [lra|]. intros x Hx. assert (HU' := HU t ltac:(lra) x Hx).
   assert (HL' := HL t ltac:(lra) x Hx). destruct (Hroom x Hx) as (_ & _ & HI & HO).
   assert (Hv : 0 <= 1 - cos x) by (destruct (COS_bound x); lra).
-  assert (Hcut : 0 <= t * (delta * (2 * eta - t)) * (1 - cos x)).
-  { repeat apply Rmult_le_pos; lra. }
+  assert (Hcut : 0 <= t * (delta * (2 * eta - t)) * (1 - cos x)) by (repeat apply Rmult_le_pos; lra).
   assert (Hcut' : 0 <= t * (4 - delta * (2 * eta - t)) * (1 - cos x)).
   { apply Rmult_le_pos; [apply Rmult_le_pos|]; try lra.
     assert (delta * (2 * eta - t) <= 1 * (2 * eta - t)) by (apply Rmult_le_compat_r; lra). lra. }
@@ -409,10 +402,9 @@ Proof.
 Qed.
 
 Lemma margins_positive_near (delta eta mu h p x0 : R) : 0 < shoulder_gap delta x0 eta h p ->
-  0 < haunch_gap delta x0 eta h p -> 0 < inward_gap x0 mu h -> 0 < outward_gap x0 mu h ->
-  exists d, 0 < d /\ forall x, Rabs (x - x0) < d ->
-    0 < shoulder_gap delta x eta h p /\ 0 < haunch_gap delta x eta h p /\
-    0 < inward_gap x mu h /\ 0 < outward_gap x mu h.
+  0 < haunch_gap delta x0 eta h p -> 0 < inward_gap x0 mu h -> 0 < outward_gap x0 mu h -> exists d, 0 < d /\
+  forall x, Rabs (x - x0) < d -> 0 < shoulder_gap delta x eta h p /\ 0 < haunch_gap delta x eta h p /\
+  0 < inward_gap x mu h /\ 0 < outward_gap x mu h.
 Proof.
   intros HU HL HI HO. destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
   assert (Hnear : forall f : R -> R, continuity f -> 0 < f x0 ->
@@ -427,18 +419,15 @@ Proof.
   repeat split; [apply H1 | apply H2 | apply H3 | apply H4]; lra.
 Qed.
 
-Theorem wider_arch_stands (delta alpha eta mu h p : R) :
-  0 < alpha < PI -> 0 < eta -> leaves_room delta alpha eta mu h p ->
-  exists alpha', alpha < alpha' < PI /\ arch_stands delta alpha' eta mu.
+Theorem wider_arch_stands (delta alpha eta mu h p : R) : 0 < alpha < PI -> 0 < eta ->
+  leaves_room delta alpha eta mu h p -> exists alpha', alpha < alpha' < PI /\ arch_stands delta alpha' eta mu.
 Proof.
   intros Ha He Hroom. destruct (Hroom alpha ltac:(lra)) as (HU & HL & HI & HO).
   destruct (margins_positive_near delta eta mu h p alpha HU HL HI HO) as (d & Hd & H).
-  set (t := Rmin (d / 2) ((PI - alpha) / 2)). assert (Ht : 0 < t) by (unfold t; apply Rmin_glb_lt; lra).
-  assert (B1 : t <= d / 2) by apply Rmin_l. assert (B2 : t <= (PI - alpha) / 2) by apply Rmin_r. exists (alpha + t).
+  destruct (below_both (d / 2) ((PI - alpha) / 2)) as (t & Ht & B1 & B2); [lra | lra |]. exists (alpha + t).
   split; [lra|]. apply (stands_by_margins delta (alpha + t) eta mu h p He). intros x Hx.
-  destruct (Rle_lt_dec x alpha) as [Hin | Hout].
-  - destruct (Hroom x ltac:(lra)) as (U & L & I & O). lra.
-  - destruct (H x) as (U & L & I & O); [rewrite Rabs_pos_eq; lra | lra].
+  destruct (Rle_lt_dec x alpha) as [Hin | Hout]; [destruct (Hroom x ltac:(lra)) as (U & L & I & O); lra
+    | destruct (H x) as (U & L & I & O); [rewrite Rabs_pos_eq; lra | lra]].
 Qed.
 
 (** Very narrow arches have room. *)
@@ -448,22 +437,15 @@ Proof.
   intros He Hmu. assert (HPI := PI_RGT_0). destruct (margins_positive_near delta eta mu 1 1 0) as (d & Hd & H).
   1-4: unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force;
     rewrite cos_0, sin_0; unfold extrados, intrados; lra.
-  set (t := Rmin (d / 2) (PI / 2)). assert (Ht : 0 < t) by (unfold t; apply Rmin_glb_lt; lra).
-  assert (B1 : t <= d / 2) by apply Rmin_l. assert (B2 : t <= PI / 2) by apply Rmin_r. exists t. split; [lra|].
+  destruct (below_both (d / 2) (PI / 2)) as (t & Ht & B1 & B2); [lra | lra |]. exists t. split; [lra|].
   apply (stands_by_margins delta t eta mu 1 1); [lra|]. intros x Hx.
   destruct (H x) as (U & L & I & O); [rewrite Rabs_pos_eq; lra | lra].
 Qed.
 
 (** ** What cannot be thinner, or wider, moves *)
 
-(** A mechanism moves the state: its joints with a rate are at their limits. *)
-Definition state_moves (delta alpha eta mu h p : R) : Prop :=
-  exists beta sigma u l v s t, 0 <= beta <= alpha /\ 0 < sigma <= alpha /\
-    0 < u + l + v + s + t /\ moves delta alpha beta sigma eta mu h p u l v s t.
-
-Theorem moves_if_none_thinner (delta alpha eta mu h p : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu ->
-  (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
+Theorem moves_if_none_thinner (delta alpha eta mu h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 ->
+  0 < mu -> (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
   admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p.
 Proof.
   intros Hd Ha He Hmu Hnone Hstate.
@@ -473,9 +455,8 @@ Proof.
   intros x Hx. destruct (Hroom x Hx) as (HU & HL & HI & HO). lra.
 Qed.
 
-Theorem moves_if_none_wider (delta alpha eta mu h p : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu ->
-  (forall alpha', alpha < alpha' < PI -> ~ arch_stands delta alpha' eta mu) ->
+Theorem moves_if_none_wider (delta alpha eta mu h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 ->
+  0 < mu -> (forall alpha', alpha < alpha' < PI -> ~ arch_stands delta alpha' eta mu) ->
   admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p.
 Proof.
   intros Hd Ha He Hmu Hnone Hstate.

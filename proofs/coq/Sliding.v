@@ -23,9 +23,8 @@ Theorem shoulder_friction_from_statics (alpha h : R) : mu_ss alpha h = - steepne
 Proof. unfold mu_ss, steepness, shear_force, normal_force, Rdiv. ring. Qed.
 
 (** Right: the same solved for the thrust. *)
-Theorem shoulder_thrust_from_statics (alpha mu h : R) :
-  normal_force alpha h <> 0 -> sin alpha - mu * cos alpha <> 0 ->
-  mu = mu_ss alpha h <-> h = h_mu alpha mu.
+Theorem shoulder_thrust_from_statics (alpha mu h : R) : normal_force alpha h <> 0 ->
+  sin alpha - mu * cos alpha <> 0 -> mu = mu_ss alpha h <-> h = h_mu alpha mu.
 Proof.
   unfold mu_ss, h_mu, normal_force. intros HN HD. rewrite (equals_quotient mu) by exact HN.
   replace (alpha * ((cos alpha + mu * sin alpha) / (sin alpha - mu * cos alpha)))
@@ -98,8 +97,7 @@ Theorem derivative_of_steepness (beta h : R) : normal_force beta h <> 0 ->
 Proof.
   unfold steepness, shear_force, normal_force. intros HN. auto_derive; [exact HN|].
   transitivity ((h * (1 - h) - beta ^ 2) * (sin beta ^ 2 + cos beta ^ 2)
-                / (h * cos beta + beta * sin beta) ^ 2); [field; easy|].
-  rewrite circle. field. easy.
+                / (h * cos beta + beta * sin beta) ^ 2); [field; easy|]. rewrite circle. field. easy.
 Qed.
 
 Lemma beta_s_square (h : R) : 0 <= h <= 1 -> beta_s h ^ 2 = h * (1 - h).
@@ -154,8 +152,7 @@ Proof.
 Qed.
 
 (** and falls from [beta_s] to the shoulder. *)
-Theorem steepness_falls_after_beta_s (h alpha a b : R) :
-  0 < h <= 1 -> alpha <= PI -> 0 < normal_force alpha h ->
+Theorem steepness_falls_after_beta_s (h alpha a b : R) : 0 < h <= 1 -> alpha <= PI -> 0 < normal_force alpha h ->
   beta_s h <= a -> a < b -> b <= alpha -> steepness b h < steepness a h.
 Proof.
   intros Hh Halpha HNalpha Ha Hab Hb. assert (Hsq := beta_s_square h ltac:(lra)).
@@ -166,9 +163,8 @@ Proof.
 Qed.
 
 (** So [beta_s] is the only joint of the half arch where [T/N] is largest. *)
-Theorem steepest_joint (h alpha beta : R) :
-  0 < h <= 1 -> alpha <= PI -> 0 < normal_force alpha h -> beta_s h <= alpha ->
-  0 <= beta <= alpha -> beta <> beta_s h -> steepness beta h < steepness (beta_s h) h.
+Theorem steepest_joint (h alpha beta : R) : 0 < h <= 1 -> alpha <= PI -> 0 < normal_force alpha h ->
+  beta_s h <= alpha -> 0 <= beta <= alpha -> beta <> beta_s h -> steepness beta h < steepness (beta_s h) h.
 Proof.
   intros Hh Ha HN Hs Hb Hne. destruct (Rtotal_order beta (beta_s h)) as [H | [H | H]]; [|easy|].
   - apply steepness_grows_before_beta_s; lra.
@@ -183,9 +179,8 @@ Proof. intros Hh Ha Hb. apply steepness_grows_before_beta_s; lra. Qed.
 (** ** (18) *)
 
 (** The printed quotient is [T/N] where [beta^2 = h (1-h)]. *)
-Theorem inner_friction_from_statics (beta h : R) :
-  beta <> 0 -> h <> 0 -> beta ^ 2 = h * (1 - h) -> normal_force beta h <> 0 ->
-  mu_inner beta h = steepness beta h.
+Theorem inner_friction_from_statics (beta h : R) : beta <> 0 -> h <> 0 -> beta ^ 2 = h * (1 - h) ->
+  normal_force beta h <> 0 -> mu_inner beta h = steepness beta h.
 Proof.
   intros Hb Hh Hsq HN.
   assert (Hdenominator : h * ((1 - h) * sin beta + beta * cos beta) = beta * normal_force beta h).
@@ -209,10 +204,9 @@ Proof.
 Qed.
 
 (** No inner joint slides exactly for a friction of at least (18). *)
-Theorem no_inner_sliding (h alpha mu : R) :
-  0 < h < 1 -> alpha <= PI -> 0 < normal_force alpha h -> beta_s h <= alpha ->
-  (forall beta, 0 <= beta <= alpha -> shear_force beta h <= mu * normal_force beta h)
-  <-> mu_is h <= mu.
+Theorem no_inner_sliding (h alpha mu : R) : 0 < h < 1 -> alpha <= PI -> 0 < normal_force alpha h ->
+  beta_s h <= alpha -> (forall beta, 0 <= beta <= alpha -> shear_force beta h <= mu * normal_force beta h) <->
+  mu_is h <= mu.
 Proof.
   intros Hh Ha HN Hs. rewrite mu_is_from_statics by easy. assert (Hs0 : 0 <= beta_s h) by apply sqrt_pos. split.
   - intros H. apply steepness_at_most; [apply normal_force_at_beta_s_positive | apply H]; lra.
@@ -223,8 +217,7 @@ Qed.
 
 (** Of all joints only the shoulder can slide outwards, from the friction (17) downwards. *)
 Theorem no_outward_sliding (h alpha mu : R) : 0 < h < 1 -> 0 <= alpha <= PI -> 0 < normal_force alpha h -> 0 <= mu ->
-  (forall beta, 0 <= beta <= alpha -> - shear_force beta h <= mu * normal_force beta h)
-  <-> mu_ss alpha h <= mu.
+  (forall beta, 0 <= beta <= alpha -> - shear_force beta h <= mu * normal_force beta h) <-> mu_ss alpha h <= mu.
 Proof.
   intros Hh Ha HN Hmu. rewrite shoulder_friction_from_statics. split.
   - intros H. apply steepness_at_most; [easy|]. apply H; lra.
@@ -242,9 +235,8 @@ Qed.
 
 (** *** More thrust, less inner sliding *)
 
-Theorem steepness_falls_with_thrust (beta h1 h2 : R) :
-  0 < beta -> h1 < h2 -> 0 < normal_force beta h1 -> 0 < normal_force beta h2 ->
-  steepness beta h2 < steepness beta h1.
+Theorem steepness_falls_with_thrust (beta h1 h2 : R) : 0 < beta -> h1 < h2 -> 0 < normal_force beta h1 ->
+  0 < normal_force beta h2 -> steepness beta h2 < steepness beta h1.
 Proof.
   intros Hb Hh H1 H2.
   assert (E : steepness beta h1 - steepness beta h2
@@ -263,8 +255,7 @@ Proof.
   assert (Hhalf1 := beta_s_at_most_one_half h1 ltac:(lra)). assert (Hhalf2 := beta_s_at_most_one_half h2 ltac:(lra)).
   assert (Hpos := beta_s_positive h2 ltac:(lra)).
   assert (HN : forall h, 0 < h -> 0 < normal_force (beta_s h2) h)
-    by (intros h Hh; apply normal_force_positive_to_quarter; lra).
-  apply Rlt_le_trans with (steepness (beta_s h2) h1).
+    by (intros h Hh; apply normal_force_positive_to_quarter; lra). apply Rlt_le_trans with (steepness (beta_s h2) h1).
   - apply steepness_falls_with_thrust; try easy; apply HN; lra.
   - destruct (Req_dec (beta_s h2) (beta_s h1)) as [-> | Hne]; [lra|].
     apply Rlt_le, (steepest_joint h1 (PI / 2)); try easy; try lra. apply normal_force_positive_to_quarter; lra.

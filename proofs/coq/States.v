@@ -1,16 +1,15 @@
 (** * The state of an arch from a handful of signs
 
-    For each mode with a thickness: where its printed equations hold and a few numbers are positive, the
-    state is **admissible at every joint** of the half arch, and the arch stands **exactly** from its
-    thickness on, up to the physical limit.  Purely sliding states bound the friction.  The verified
-    checker adds the numbers.
+    For each mode with a thickness: where its printed equations hold and a few numbers are positive, the state is
+    **admissible at every joint** of the half arch, and the arch stands **exactly** from its thickness on, up to the
+    physical limit. Purely sliding states bound the friction. The verified checker adds the numbers.
 
-    Where modes meet, some of these numbers are zero: friction at the shoulder or inside, the room at the
-    extrados, that of the intrados next to the crown, or what the limit leaves.  Of those it is asked that
-    they are not negative, so that each theorem holds for the landmarks too.
+    Where modes meet, some of these numbers are zero: friction at the shoulder or inside, the room at the extrados,
+    that of the intrados next to the crown, or what the limit leaves. Of those it is asked that they are not negative,
+    so that each theorem holds for the landmarks too.
 
-    All of it from the printed equations and the statics: see [Contact] for the line of thrust,
-    [Sliding] for friction, [FrictionModes] for thinner arches. *)
+    All of it from the printed equations and the statics: see [Contact] for the line of thrust, [Sliding] for
+    friction, [FrictionModes] for thinner arches. *)
 
 From Couplet Require Import Moments Cubics Overturning Sliding Joining.
 From Couplet Require Export Arch DoubleThickness Contact FrictionModes.
@@ -34,8 +33,7 @@ Definition stands_without_limit_from (delta alpha eta : R) : Prop :=
   forall eta', 0 < eta' <= 2 -> ((exists h p, thrust_inside delta alpha eta' h p) <-> eta <= eta').
 
 (** Without enough friction it stands at no thickness, whatever the self-weight. *)
-Definition stands_at_no_thickness (alpha mu : R) : Prop :=
-  forall delta eta, ~ arch_stands delta alpha eta mu.
+Definition stands_at_no_thickness (alpha mu : R) : Prop := forall delta eta, ~ arch_stands delta alpha eta mu.
 
 (** The moments [p] of the crown's thrust that put it on the extrados at crown and shoulder. *)
 Definition at_crown (eta h : R) : R := extrados eta * h.
@@ -59,14 +57,12 @@ Qed.
 (** With the crown's intrados as hinge, from which the line of thrust goes away. *)
 Theorem inside_from_crown (delta alpha eta h p : R) : 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
   (forall x, 0 <= x <= alpha -> 0 <= normal_force x h) -> p = intrados eta * h -> p = at_shoulder delta alpha eta h ->
-  intrados eta * (2 - h) <= fac delta eta ->
-  thrust_inside delta alpha eta h p.
+  intrados eta * (2 - h) <= fac delta eta -> thrust_inside delta alpha eta h p.
 Proof.
   unfold at_shoulder. intros Ha He Hh HN Hcrown Hshoulder Haway x Hx.
   assert (Hi : 0 <= intrados eta) by (unfold intrados; lra). split; [now apply HN|split].
   - enough (margin (intrados eta) (fac delta eta) h x <= margin (intrados eta) (fac delta eta) h 0)
-      by (unfold margin, normal_force in *; rewrite cos_0, sin_0 in *; lra).
-    apply margin_falls_from_crown; lra.
+      by (unfold margin, normal_force in *; rewrite cos_0, sin_0 in *; lra). apply margin_falls_from_crown; lra.
   - apply (extrados_safe delta alpha); try easy; try lra.
     + unfold extrados; lra.
     + unfold extrados, intrados in *. nra.
@@ -125,8 +121,7 @@ Qed.
 Section Modes.
 
 Variables (delta alpha mu : R).
-Hypothesis weight : 0 <= delta <= 1.
-Hypothesis opening : 0 < alpha < PI.
+Hypotheses (weight : 0 <= delta <= 1) (opening : 0 < alpha < PI).
 
 (** The haunch is on the intrados by (2) if the crown is on the extrados, *)
 Lemma haunch_from_crown (beta eta h : R) : 0 < eta <= 2 -> h = h_lower delta beta eta ->
@@ -137,10 +132,9 @@ Proof.
 Qed.
 
 (** by (3) if the shoulder is, *)
-Lemma haunch_from_shoulder (beta eta h : R) :
-  0 < (2 - eta) * cos beta - (2 + eta) * cos alpha -> h = h_upper delta alpha beta eta ->
-  intrados eta * normal_force beta h
-  = at_shoulder delta alpha eta h + fac delta eta * (1 - cos beta).
+Lemma haunch_from_shoulder (beta eta h : R) : 0 < (2 - eta) * cos beta - (2 + eta) * cos alpha ->
+  h = h_upper delta alpha beta eta ->
+  intrados eta * normal_force beta h = at_shoulder delta alpha eta h + fac delta eta * (1 - cos beta).
 Proof.
   intros Hlever H3. apply upper_thrust_cleared in H3; [|lra]. unfold at_shoulder, extrados, intrados, normal_force.
   lra.
@@ -176,20 +170,18 @@ Proof. intros H4. apply shoulder_from_crown in H4; [|lra]. unfold at_crown, at_s
 
 (** *** [[r,r,r]] *)
 
-Theorem rotational_inside (beta eta h : R) :
-  h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\ h = h_tangency delta beta eta ->
-  0 < eta -> eta < 2 -> 0 < h -> 0 < beta -> beta < alpha -> 0 < normal_force alpha h ->
-  thrust_inside delta alpha eta h (at_crown eta h).
+Theorem rotational_inside (beta eta h : R) : h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\
+  h = h_tangency delta beta eta -> 0 < eta -> eta < 2 -> 0 < h -> 0 < beta -> beta < alpha ->
+  0 < normal_force alpha h -> thrust_inside delta alpha eta h (at_crown eta h).
 Proof.
   intros (H2 & H4 & H5) **. assert (Hs := shoulder_from_crown eta h ltac:(lra) H4).
   assert (Hh := haunch_from_crown beta eta h ltac:(lra) H2).
   apply (inside_with_haunch delta alpha beta); try easy; lra.
 Qed.
 
-Lemma none_thinner_than_rotational (beta eta h : R) :
-  h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\ h = h_tangency delta beta eta ->
-  0 < eta < 2 -> 0 < beta < alpha ->
-  forall eta', 0 < eta' < eta -> ~ exists h p, thrust_inside delta alpha eta' h p.
+Lemma none_thinner_than_rotational (beta eta h : R) : h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\
+  h = h_tangency delta beta eta -> 0 < eta < 2 -> 0 < beta < alpha -> forall eta', 0 < eta' < eta ->
+  ~ exists h p, thrust_inside delta alpha eta' h p.
 Proof.
   intros (H2 & H4 & H5) He Hb eta' He' (h' & p & Hall).
   apply (rotational_thickness_is_least delta alpha beta eta) with (eta' := eta') in weight; try lra.
@@ -197,10 +189,9 @@ Proof.
   - split; congruence.
 Qed.
 
-Theorem rotational (beta eta h : R) :
-  h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\ h = h_tangency delta beta eta -> 0 < eta -> eta < 2 ->
-  0 < h -> h < 1 -> 0 < beta -> beta < alpha -> 0 < normal_force alpha h -> beta_s h <= alpha ->
-  mu_ss alpha h <= mu -> mu_is h <= mu ->
+Theorem rotational (beta eta h : R) : h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\
+  h = h_tangency delta beta eta -> 0 < eta -> eta < 2 -> 0 < h -> h < 1 -> 0 < beta -> beta < alpha ->
+  0 < normal_force alpha h -> beta_s h <= alpha -> mu_ss alpha h <= mu -> mu_is h <= mu ->
   admissible delta alpha eta mu h (at_crown eta h) /\ stands_from delta alpha mu eta.
 Proof.
   intros E **.
@@ -240,13 +231,11 @@ Qed.
 
 (** *** [[r,r,s]], [[r,s,r]] *)
 
-Theorem rotational_sliding (beta eta h joint : R) :
-  h = h_upper delta alpha beta eta /\ h = h_tangency delta beta eta /\ mu = mu_is h /\ joint = beta_s h -> 0 < eta ->
-  eta < 2 -> 0 < h -> h < 1 -> 0 < beta -> beta < alpha -> 0 < normal_force alpha h ->
-  at_shoulder delta alpha eta h <= at_crown eta h -> joint <= alpha -> mu_ss alpha h <= mu ->
-  0 < (2 - eta) * cos beta - (2 + eta) * cos alpha ->
-  admissible delta alpha eta mu h (at_shoulder delta alpha eta h) /\
-  stands_from delta alpha mu eta.
+Theorem rotational_sliding (beta eta h joint : R) : h = h_upper delta alpha beta eta /\
+  h = h_tangency delta beta eta /\ mu = mu_is h /\ joint = beta_s h -> 0 < eta -> eta < 2 -> 0 < h -> h < 1 ->
+  0 < beta -> beta < alpha -> 0 < normal_force alpha h -> at_shoulder delta alpha eta h <= at_crown eta h ->
+  joint <= alpha -> mu_ss alpha h <= mu -> 0 < (2 - eta) * cos beta - (2 + eta) * cos alpha ->
+  admissible delta alpha eta mu h (at_shoulder delta alpha eta h) /\ stands_from delta alpha mu eta.
 Proof.
   intros (H3 & H5 & H18 & ->) **. assert (Hh := haunch_from_shoulder beta eta h ltac:(lra) H3).
   assert (A : admissible delta alpha eta mu h (at_shoulder delta alpha eta h)).
@@ -260,8 +249,7 @@ Qed.
 Theorem overturning_sliding (eta h joint : R) : h = h_upper delta alpha 0 eta /\ mu = mu_is h /\ joint = beta_s h ->
   0 < eta -> eta <= 2 -> 0 < h -> h < 1 -> 0 < normal_force alpha h -> intrados eta * (2 - h) <= fac delta eta ->
   joint <= alpha -> mu_ss alpha h <= mu -> 0 < (2 - eta) * cos 0 - (2 + eta) * cos alpha ->
-  admissible delta alpha eta mu h (at_shoulder delta alpha eta h) /\
-  stands_from delta alpha mu eta.
+  admissible delta alpha eta mu h (at_shoulder delta alpha eta h) /\ stands_from delta alpha mu eta.
 Proof.
   intros (H3 & H18 & ->) **. assert (Hh := haunch_from_shoulder 0 eta h ltac:(lra) H3).
   assert (A : admissible delta alpha eta mu h (at_shoulder delta alpha eta h)).

@@ -9,11 +9,8 @@ From Couplet Require Import Moments Contact FrictionModes Mechanisms Surveys.
 Section Stones.
 
 Variables (delta alpha mu : R) (joints : list R).
-Hypothesis weight : 0 <= delta <= 1.
-Hypothesis opening : 0 < alpha < PI.
-Hypothesis within : forall x, In x joints -> 0 <= x <= alpha.
-Hypothesis crown : In 0 joints.
-Hypothesis shoulder : In alpha joints.
+Hypotheses (weight : 0 <= delta <= 1) (opening : 0 < alpha < PI) (within : forall x, In x joints -> 0 <= x <= alpha)
+  (crown : In 0 joints) (shoulder : In alpha joints).
 
 (** Friction is enough at all joints. *)
 Definition is_held (h : R) : Prop := forall x, In x joints -> friction_holds x mu h.
@@ -27,8 +24,7 @@ Lemma held_between h k m : is_held h -> is_held k -> h <= m <= k -> is_held m.
 Proof.
   intros Hh Hk Hm x Hx. assert (A := Hh x Hx). assert (B := Hk x Hx).
   unfold friction_holds, normal_force, shear_force in *. rewrite Rabs_le_between in *.
-  destruct (Req_dec h k) as [<- | Hne]; [replace m with h by lra; exact A |].
-  nra.
+  destruct (Req_dec h k) as [<- | Hne]; [replace m with h by lra; exact A |]. nra.
 Qed.
 
 Section Thickness.

@@ -11,16 +11,14 @@ From Couplet Require Import Surveys Mechanisms Room Modes Attained Order Map.
 Section Weights.
 
 Variables (delta delta' alpha eta : R).
-Hypotheses (flags : 0 <= delta < delta') (flag' : delta' <= 1) (opening : 0 < alpha < PI)
-  (thickness : 0 < eta <= 2).
+Hypotheses (flags : 0 <= delta < delta') (flag' : delta' <= 1) (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2).
 
 Lemma centroid_factor_grows : fac delta eta < fac delta' eta.
 Proof. unfold fac. assert (0 < (delta' - delta) * eta ^ 2) by (apply Rmult_lt_0_compat; nra). lra. Qed.
 
 (** With no less thrust than that of a hinge at the haunch and one at the shoulder the other weight has
     no room between the two. *)
-Lemma no_room_with_more_thrust (beta h0 p0 h p : R) :
-  0 <= beta < alpha -> 0 <= h0 <= h ->
+Lemma no_room_with_more_thrust (beta h0 p0 h p : R) : 0 <= beta < alpha -> 0 <= h0 <= h ->
   haunch_gap delta beta eta h0 p0 = 0 -> shoulder_gap delta alpha eta h0 p0 = 0 ->
   0 <= haunch_gap delta' beta eta h p -> shoulder_gap delta' alpha eta h p < 0.
 Proof.
@@ -34,8 +32,7 @@ Qed.
 (** With a hinge at the crown too it has none with any thrust. *)
 Lemma no_room_under_rotation (beta h0 p0 h p : R) : 0 < beta < alpha -> 0 < cos beta -> 0 <= h0 ->
   crown_gap eta h0 p0 = 0 -> haunch_gap delta beta eta h0 p0 = 0 -> shoulder_gap delta alpha eta h0 p0 = 0 ->
-  0 <= crown_gap eta h p -> 0 <= haunch_gap delta' beta eta h p ->
-  shoulder_gap delta' alpha eta h p < 0.
+  0 <= crown_gap eta h p -> 0 <= haunch_gap delta' beta eta h p -> shoulder_gap delta' alpha eta h p < 0.
 Proof.
   intros Hb Hcos Hh EC EL EU HC HL. assert (Hfac := centroid_factor_grows).
   assert (Harm := lever_positive_in_any_state delta alpha beta eta h0 p0 ltac:(lra) ltac:(lra) opening
@@ -49,14 +46,12 @@ Proof.
   { unfold a, b, crown_gap, haunch_gap, shoulder_gap, normal_force, extrados, intrados. field. }
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (0 < (fac delta' eta - fac delta eta) * (1 - cos alpha) * (eta * cos beta))
-    by (repeat apply Rmult_lt_0_compat; lra).
-  nra.
+    by (repeat apply Rmult_lt_0_compat; lra). nra.
 Qed.
 
 (** A haunch that the line of thrust touches is below a right angle. *)
 Lemma haunch_below_right_angle (beta h p : R) : 0 < beta < alpha -> 0 < h ->
-  (forall x, 0 <= x <= alpha -> 0 <= haunch_gap delta x eta h p) ->
-  haunch_gap delta beta eta h p = 0 -> 0 < cos beta.
+  (forall x, 0 <= x <= alpha -> 0 <= haunch_gap delta x eta h p) -> haunch_gap delta beta eta h p = 0 -> 0 < cos beta.
 Proof.
   intros Hb Hh Hall EL. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
   assert (Htouch := haunch_of_wide_arch delta alpha eta h p beta opening thickness Hall EL Hb).
@@ -95,24 +90,21 @@ Qed.
 
 (** So one that stands is thicker, unless the shoulder slides under a crown that turns. *)
 Theorem heavier_is_thicker_unless_the_shoulder_slides (mu : R) : 0 < mu -> arch_stands delta alpha eta mu ->
-  (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
-  mode_moves delta alpha eta mu SRR \/
+  (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) -> mode_moves delta alpha eta mu SRR \/
   (forall eta', 0 < eta' <= eta -> ~ arch_stands delta' alpha eta' mu).
 Proof.
   intros Hmu (h & p & Hstate) Hnone.
   destruct (a_hinge_at_the_least_thickness delta alpha eta mu h p ltac:(lra) opening thickness Hmu Hnone Hstate)
-    as (m & N & Hm).
-  destruct (Classical_Prop.classic (m = SRR)) as [-> | N']; [now left | right]. intros eta' He' H.
+    as (m & N & Hm). destruct (Classical_Prop.classic (m = SRR)) as [-> | N']; [now left | right]. intros eta' He' H.
   apply (heavier_is_thicker mu m Hmu N' N Hm).
   apply (narrower_rougher_thicker_stands delta' alpha alpha eta' eta mu mu); easy || lra.
 Qed.
 
 (** The same without a limit of friction, [[r,r,r]] and, with no thrust and the haunch at the crown, [[r]]. *)
 Theorem heavier_is_thicker_without_limit (beta h0 p0 : R) :
-  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h0 p0) ->
-  crown_gap eta h0 p0 = 0 -> haunch_gap delta beta eta h0 p0 = 0 -> shoulder_gap delta alpha eta h0 p0 = 0 ->
-  (0 < h0 /\ 0 < beta < alpha) \/ (h0 = 0 /\ beta = 0) ->
-  ~ (exists h p, forall x, 0 <= x <= alpha -> joint_stands delta' x eta h p).
+  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h0 p0) -> crown_gap eta h0 p0 = 0 ->
+  haunch_gap delta beta eta h0 p0 = 0 -> shoulder_gap delta alpha eta h0 p0 = 0 -> (0 < h0 /\ 0 < beta < alpha) \/
+  (h0 = 0 /\ beta = 0) -> ~ (exists h p, forall x, 0 <= x <= alpha -> joint_stands delta' x eta h p).
 Proof.
   intros Hstate EC EL EU Hcase (h & p & Hall).
   assert (Hgaps : forall x, 0 <= x <= alpha ->

@@ -1,11 +1,10 @@
 (** * Verdicts on an arch that is not at its least thickness
 
-    An arch **stands** where a thrust and its moment at the crown leave a few numbers positive: those at
-    crown and shoulder, that at the joint where the moment about the intrados is least, and
-    friction at the shoulder and inside.
+    An arch **stands** where a thrust and its moment at the crown leave a few numbers positive: those at crown and
+    shoulder, that at the joint where the moment about the intrados is least, and friction at the shoulder and inside.
 
-    An arch is **too wide** where not even the physical limit is enough at the least thrust that friction
-    allows: then no thickness is. *)
+    An arch is **too wide** where not even the physical limit is enough at the least thrust that friction allows: then
+    no thickness is. *)
 
 From Couplet Require Import Moments Overturning Sliding States.
 
@@ -14,12 +13,9 @@ From Couplet Require Import Moments Overturning Sliding States.
 Section Inside.
 
 Variables (delta alpha eta h p : R).
-Hypothesis opening : 0 < alpha < PI.
-Hypothesis thickness : 0 < eta <= 2.
-Hypothesis thrust : 0 < h.
-Hypothesis compression : 0 < normal_force alpha h.
-Hypothesis crown : p <= at_crown eta h.
-Hypothesis shoulder : p <= at_shoulder delta alpha eta h.
+Hypotheses (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2) (thrust : 0 < h)
+  (compression : 0 < normal_force alpha h) (crown : p <= at_crown eta h)
+  (shoulder : p <= at_shoulder delta alpha eta h).
 
 (** Moment about the intrados at a joint. *)
 Definition room (x : R) : R := p + fac delta eta * (1 - cos x) - intrados eta * normal_force x h.
@@ -88,9 +84,8 @@ Proof.
   specialize (Hin x Hx). apply steepness_at_most in Hin; [|easy]. apply Rabs_le. lra.
 Qed.
 
-Theorem friction_by_steepest (h alpha mu : R) :
-  0 < h < 1 -> 0 < alpha < PI -> 0 < normal_force alpha h -> mu_ss alpha h <= mu -> mu_is h <= mu ->
-  forall x, 0 <= x <= alpha -> friction_holds x mu h.
+Theorem friction_by_steepest (h alpha mu : R) : 0 < h < 1 -> 0 < alpha < PI -> 0 < normal_force alpha h ->
+  mu_ss alpha h <= mu -> mu_is h <= mu -> forall x, 0 <= x <= alpha -> friction_holds x mu h.
 Proof.
   intros Hh Ha HN Hout Hin. apply friction_within; try easy. intros x Hx.
   assert (H := steepness_below_mu_is h alpha x Hh ltac:(lra) HN Hx). lra.
@@ -143,10 +138,9 @@ Qed.
 
 (** At the limit the half-angle [alpha0] just stands with the thrust [h0]; a wider arch whose thrust is no
     smaller does not at any thickness. *)
-Lemma wider_does_not_stand (delta alpha0 alpha eta h0 h p : R) :
-  delta = 0 \/ delta = 1 -> 0 < alpha0 -> alpha0 < alpha -> alpha < PI -> 0 < eta <= 2 -> 0 <= h0 <= h ->
-  2 * normal_force alpha0 h0 = fac delta 2 * (1 - cos alpha0) ->
-  ~ thrust_inside delta alpha eta h p.
+Lemma wider_does_not_stand (delta alpha0 alpha eta h0 h p : R) : delta = 0 \/ delta = 1 -> 0 < alpha0 ->
+  alpha0 < alpha -> alpha < PI -> 0 < eta <= 2 -> 0 <= h0 <= h ->
+  2 * normal_force alpha0 h0 = fac delta 2 * (1 - cos alpha0) -> ~ thrust_inside delta alpha eta h p.
 Proof.
   intros Hd Ha0 Ha Hopen He Hh Hlimit Hall. assert (Hv0 : 0 < 1 - cos alpha0) by (apply versine_positive; lra).
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).

@@ -36,8 +36,7 @@ Definition turns_above (eta x : R) : R * R * R := (- extrados eta * cos x, extra
 Definition turns_below (eta x : R) : R * R * R := (intrados eta * cos x, - intrados eta * sin x, 1).
 Definition slips_outwards (x : R) : R * R * R := (sin x, cos x, 0).
 
-Definition scaled (rate : R) (row : R * R * R) : R * R * R :=
-  let '(a, b, c) := row in (rate * a, rate * b, rate * c).
+Definition scaled (rate : R) (row : R * R * R) : R * R * R := let '(a, b, c) := row in (rate * a, rate * b, rate * c).
 Definition plus (x y : R * R * R) : R * R * R :=
   let '(a, b, c) := x in let '(a', b', c') := y in (a + a', b + b', c + c').
 
@@ -73,10 +72,8 @@ Definition shoulder_solution (delta alpha mu eta h p v b0 b1 s w : R) : Prop :=
 Definition normal_slope (h v x : R) : R := (1 - h) * sin x + (x - v) * cos x.
 Definition shear_slope (h v x : R) : R := (1 - h) * cos x - (x - v) * sin x.
 
-Definition extrados_slope (delta eta h v x : R) : R :=
-  extrados eta * normal_slope h v x - fac delta eta * sin x.
-Definition intrados_slope (delta eta h v x : R) : R :=
-  fac delta eta * sin x - intrados eta * normal_slope h v x.
+Definition extrados_slope (delta eta h v x : R) : R := extrados eta * normal_slope h v x - fac delta eta * sin x.
+Definition intrados_slope (delta eta h v x : R) : R := fac delta eta * sin x - intrados eta * normal_slope h v x.
 Definition inwards_slope (mu h v x : R) : R := mu * normal_slope h v x - shear_slope h v x.
 Definition outwards_slope (mu h v x : R) : R := mu * normal_slope h v x + shear_slope h v x.
 
@@ -118,9 +115,8 @@ Proof.
 Qed.
 
 (** It touches zero, where it bends away. *)
-Lemma touching (f f' f'' : R -> R) a b c : (forall x, is_derive f x (f' x)) ->
-  (forall x, is_derive f' x (f'' x)) -> f c = 0 -> f' c = 0 ->
-  (forall x, a <= x <= b -> 0 <= f'' x) -> a <= c <= b -> forall x, a <= x <= b -> 0 <= f x.
+Lemma touching (f f' f'' : R -> R) a b c : (forall x, is_derive f x (f' x)) -> (forall x, is_derive f' x (f'' x)) ->
+  f c = 0 -> f' c = 0 -> (forall x, a <= x <= b -> 0 <= f'' x) -> a <= c <= b -> forall x, a <= x <= b -> 0 <= f x.
 Proof.
   intros Hf Hf' H0 H1 Hbend Hc x Hx. destruct (Rle_dec x c) as [Hxc | Hxc].
   - apply (falling f f' a c Hf H0); [| lra]. intros y Hy. assert (H : 0 <= - f' y).
@@ -166,8 +162,7 @@ Theorem opening_fits alpha eta b0 b1 : shoulder_determinant alpha eta b1 <> 0 ->
   fits_at_shoulder alpha eta b0 b1 (slip_of_opening alpha eta b0 b1) (shoulder_opening alpha eta b0 b1).
 Proof.
   intros Hd. unfold fits_at_shoulder, plus, scaled, slips_outwards, turns_above, turns_below, slip_of_opening,
-    shoulder_opening, across, upwards.
-  rewrite !sin_neg, !cos_neg. unfold shoulder_determinant in *.
+    shoulder_opening, across, upwards. rewrite !sin_neg, !cos_neg. unfold shoulder_determinant in *.
   repeat (apply f_equal2; [| try (field; exact Hd)]); try (field; exact Hd); try ring.
 Qed.
 

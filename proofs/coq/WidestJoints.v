@@ -38,8 +38,7 @@ Proof.
   intros other Hother Hzero. destruct (Rlt_or_le other rise) as [Hr | Hr]; [specialize (before other); lra |].
   destruct (Rlt_or_le top other) as [Ht | Ht]; [specialize (behind other); lra |].
   assert (grows := incr_function_le (radicand_at delta) rise top slope (fun x _ _ => Hslope x)
-    (fun x Hx Hx' => rising x (conj Hx Hx'))).
-  cbn in grows.
+    (fun x Hx Hx' => rising x (conj Hx Hx'))). cbn in grows.
   destruct (Rtotal_order other beta) as [Hless | [Hsame | Hmore]]; [apply grows in Hless; lra | exact Hsame | apply grows in Hmore; lra].
 Qed.
 
@@ -56,18 +55,14 @@ Ltac widest_joint delta lo hi :=
   | at_joint; interval with (i_prec 140)
   | exists beta; split; [apply Rabs_le; lra | now split] ].
 
-Theorem widest_joint_heyman : exists beta,
-  Rabs (beta - 1.1290850875761869940518960329593) <= 1e-30 /\
+Theorem widest_joint_heyman : exists beta, Rabs (beta - 1.1290850875761869940518960329593) <= 1e-30 /\
   radicand 0 (f_of beta) (g_of beta) (sin beta) = 0 /\
-  (forall other, 0.25 <= other <= 2.4 ->
-     radicand 0 (f_of other) (g_of other) (sin other) = 0 -> other = beta).
+  (forall other, 0.25 <= other <= 2.4 -> radicand 0 (f_of other) (g_of other) (sin other) = 0 -> other = beta).
 Proof. widest_joint 0 1.1290850875761869940518960329583 1.1290850875761869940518960329603. Qed.
 
-Theorem widest_joint_milankovitch : exists beta,
-  Rabs (beta - 1.11986423144375175967721163294924) <= 1e-30 /\
+Theorem widest_joint_milankovitch : exists beta, Rabs (beta - 1.11986423144375175967721163294924) <= 1e-30 /\
   radicand 1 (f_of beta) (g_of beta) (sin beta) = 0 /\
-  (forall other, 0.25 <= other <= 2.4 ->
-     radicand 1 (f_of other) (g_of other) (sin other) = 0 -> other = beta).
+  (forall other, 0.25 <= other <= 2.4 -> radicand 1 (f_of other) (g_of other) (sin other) = 0 -> other = beta).
 Proof. widest_joint 1 1.11986423144375175967721163294824 1.11986423144375175967721163295024. Qed.
 
 (** They are the joints of the landmark, by its printed hundredths. *)

@@ -7,7 +7,7 @@ set -eu
 # Two at a time: each takes some seconds a copy.
 [ $# -gt 0 ] || {
   printf '%s\n' LandmarkTripleMilankovitch StateSlidingRotationalHeyman AsymmetricSlidesInsideMilankovitch \
-    SurveyAllStandHeyman Surveys Landmarks Cones Room Modes Attained Order Map Cells TwoWeights Programme Asymmetric | xargs -n 1 -P 2 "$0"
+    SurveyAllStandHeyman Surveys Rises Landmarks Cones Room Modes Attained Order Map Cells TwoWeights Programme Asymmetric | xargs -n 1 -P 2 "$0"
   exit
 }
 cd "$(dirname "$0")"
@@ -135,6 +135,11 @@ spoil_hand() {
         's/(Corollary least_thickness_is_monotone.*?)eta. <= eta\./$1eta\x27 < eta./s'
       spoiled "a largest circle inside a step" radius_of_rises \
         's/(Theorem radius_of_rises.*?)Rmax \(/${1}Rmin (/s' ;;
+    Rises)
+      spoiled "a wider arch" longer_arch_stands \
+        's/(Theorem longer_arch_stands.*?0 < alpha. )<= alpha ->/$1< PI ->/s'
+      spoiled "a shorter span" longer_span_stands \
+        's/(Theorem longer_span_stands.*?0 < span )<= span. ->/$1-> 0 < span\x27 ->/s' ;;
     Cones) spoiled "multipliers that leave room" strict_point_or_multipliers \
       's/(Theorem strict_point_or_multipliers.*?)c <= 0/$1c < 0/s' ;;
     Room) spoiled "a line of thrust on a face" thinner_arch_stands \

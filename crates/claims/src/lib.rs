@@ -36,8 +36,7 @@
 //! | which there are | `asymmetric_kinds.rs` |
 //! | where, and how many | `asymmetric_number.rs`, with the boxes of `asymmetric_cover` |
 //! | all arches between measured ends | `surveys.rs` |
-//! | why of one rise the longer arch is the safer | `rises.rs`, with the signs of `rise_signs.rs` |
-//! | and has the larger geometric safety | `safeties.rs` |
+//! | of one rise the longer arch has the larger geometric safety | `safeties.rs`, with the letters of `rises.rs` |
 //! | signs by algebra | `sign.rs` |
 //! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
@@ -80,7 +79,6 @@ mod modes;
 mod moments;
 mod overturning;
 mod regular;
-mod rise_signs;
 mod rises;
 mod rounded;
 mod safeties;

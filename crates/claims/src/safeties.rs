@@ -13,19 +13,21 @@
 //! ```
 
 use super::along::landmark;
-use super::contacts::margin_at;
+use super::contacts::{CONTACTS, margin_at};
 use super::curve::{
     ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_THICKNESS, cubic_of,
 };
 use super::domains::{INNER_SLIDING_BEYOND_T, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::landmarks::certain_if;
 use super::letters::ring;
+use super::modes::LEVER;
 use super::rises::{
     RELIEF, centroids, opening_variable, rate_of_opening, relief, slenderness, sliding_shoulder,
     thrust_of_haunch,
 };
 use super::states::at_all_states;
-use super::surveys::{CORNERS, GOES_ON_STANDING, RISE};
+use super::surveys::{CORNERS, RISE};
+use super::uniqueness::ONE_HALF_OPENING;
 use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, statics};
@@ -431,7 +433,8 @@ fn inner(d: &mut Derivation) -> Checked {
 
 fn safety(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 < mu <= inf, delta_M = 0 or 1, the thickness at most twice the radius of the centreline");
-    lemmas(d, [&CORNERS, &RISE, &ROTATION, &SHOULDER, &INNER])?;
+    lemmas(d, [&CORNERS, &CONTACTS, &LEVER, &RISE, &ROTATION, &SHOULDER, &INNER])?;
+    lemmas(d, [&ONE_HALF_OPENING, &INNER_SLIDING_BEYOND_T])?;
     let alpha = Symbol::half_opening();
     let eta = ring().thickness;
     let kept = eta.clone() / alpha.versine().square();
@@ -445,11 +448,26 @@ fn safety(d: &mut Derivation) -> Checked {
         let words = format!("2 less the rate of the logarithm of the measured eta, {circle}");
         d.on_circle(words, t.int(2) - rate, expected)?;
     }
-    d.theorem("Attained.goes_on_standing", GOES_ON_STANDING)?;
     d.argue(
-        "The way with eta/(1 - cos(alpha))² kept is gone as that with the thickness over the rise kept: what stands \
-         goes on standing. So the least eta falls at least as fast as (1 - cos(alpha))² as the half opening falls, \
-         and the measured one, up to 2, does not fall faster: their quotient does not fall.",
+        "Let an arch stand, and let its half opening fall while eta/(1 - cos(alpha))² is kept. Take the least admissible \
+         thrust h. It is h_R, the largest h of (2) of any joint, or the least that friction bears at the inner joints, \
+         which is at most 1; from above it is bounded by the shoulder's extrados, as its lever arm is positive, and by its \
+         friction. There are fewer joints, and h_R grows: let h follow it if it is h_R, and else be kept. A bound from \
+         above that is not reached is not, on the next piece of the way, either. One that is reached is left. The \
+         shoulder's extrados, if h is h_R: then U is zero at the crown too, so that h + g = A. If h = h_R = 0 at the \
+         crown, as A = g is at most 1, and if h is that of friction, alpha is more than pi/2: the mode is [r,r,s], \
+         [r,s,r] or [r,s], beyond T, where both thickness and friction are no less than at T. The shoulder's friction, if \
+         h is that of the inner joints, as then fewer are asked, and if it is h_R: at each joint that asks for it, and so \
+         for the largest. Without a limit of friction what stands is closed too, as the least thrust is then h_R, which \
+         is continuous.",
+    )?;
+    d.theorem(
+        "Attained.goes_on_standing",
+        "along a way on which each arch that stands is followed by some that stand, all of them do",
+    )?;
+    d.argue(
+        "So the least eta falls at least as fast as (1 - cos(alpha))² as the half opening falls, and the measured one, up \
+         to 2, does not fall faster: their quotient does not fall.",
     )?;
     d.conclude(
         "Of one rise that is so for a longer span. An arch made larger has a smaller eta and the same least one. So, \

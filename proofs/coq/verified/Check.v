@@ -9,8 +9,7 @@ Import ListNotations.
 
 (** ** What is given *)
 
-Definition quotient (prec p : Z) (q : positive) : enclosure :=
-  I.div prec (integer prec p) (integer prec (Zpos q)).
+Definition quotient (prec p : Z) (q : positive) : enclosure := I.div prec (integer prec p) (integer prec (Zpos q)).
 
 Definition enclosed_number (prec : Z) (n : number) : enclosure :=
   match n with
@@ -111,8 +110,7 @@ Definition with_steepest (prec : Z) (E : surroundings) : surroundings :=
   fun n => match n with BetaS => b | _ => E n end.
 
 (** One joint for both. *)
-Definition with_one_joint (E : surroundings) : surroundings :=
-  fun n => match n with BetaR => E BetaS | _ => E n end.
+Definition with_one_joint (E : surroundings) : surroundings := fun n => match n with BetaR => E BetaS | _ => E n end.
 
 Local Open Scope formula_scope.
 (** What the limit leaves; what the extrados leaves at the shoulder; the room next to the crown; and what
@@ -121,8 +119,7 @@ Definition limit (w : weight) : formula :=
   2 * normal Alpha - (1 - Cos Alpha) * match w with Heyman => 1 | Milankovitch => Ratio 4 3 end.
 Definition extrados_at_shoulder (w : weight) : formula :=
   outer * normal Alpha - 2 * centroid w * (1 - Cos Alpha) - outer * Val Thrust.
-Definition next_to_crown (w : weight) : formula :=
-  centroid w - inner * (2 - Val Thrust) * Ratio 1 2.
+Definition next_to_crown (w : weight) : formula := centroid w - inner * (2 - Val Thrust) * Ratio 1 2.
 Definition grip_at_shoulder : formula := normal Alpha * Val Mu - shoulder_slides.
 Definition grip_inside : formula := inner_carries * Val Mu - inner_slides.
 

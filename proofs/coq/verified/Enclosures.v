@@ -136,8 +136,7 @@ End Operations.
 
 (** ** Signs *)
 
-Definition is_positive (X : enclosure) : bool :=
-  match I.sign_strict X with Xgt => true | _ => false end.
+Definition is_positive (X : enclosure) : bool := match I.sign_strict X with Xgt => true | _ => false end.
 
 Lemma is_positive_sound (X : enclosure) (x : R) : is_positive X = true -> has X x -> 0 < x.
 Proof.
@@ -145,8 +144,7 @@ Proof.
   now apply (H (Xreal x)).
 Qed.
 
-Definition is_not_zero (X : enclosure) : bool :=
-  match I.sign_strict X with Xgt | Xlt => true | _ => false end.
+Definition is_not_zero (X : enclosure) : bool := match I.sign_strict X with Xgt | Xlt => true | _ => false end.
 
 Lemma is_not_zero_sound (X : enclosure) (x : R) : is_not_zero X = true -> has X x -> x <> 0.
 Proof.
@@ -154,8 +152,7 @@ Proof.
   destruct (I.sign_strict X); try easy; intros _ Hx; destruct (H (Xreal x) Hx) as [_ Hs]; simpl in Hs; lra.
 Qed.
 
-Definition is_zero (X : enclosure) : bool :=
-  match I.sign_strict X with Xeq => true | _ => false end.
+Definition is_zero (X : enclosure) : bool := match I.sign_strict X with Xeq => true | _ => false end.
 
 Lemma is_zero_sound (X : enclosure) (x : R) : is_zero X = true -> has X x -> x = 0.
 Proof.

@@ -50,8 +50,7 @@ Inductive equation :=
   | ShoulderSliding | InnerSliding | Steepest.
 
 (** Numerators of (2) and (5). *)
-Definition lower (w : weight) (b : name) : formula :=
-  inner * Val b * Sin b - 2 * (1 - Cos b) * centroid w.
+Definition lower (w : weight) (b : name) : formula := inner * Val b * Sin b - 2 * (1 - Cos b) * centroid w.
 Definition touching (w : weight) (b : name) : formula := (1 + Val b * Cot b) * inner - 2 * centroid w.
 
 Definition cleared (w : weight) (e : equation) : formula :=

@@ -94,16 +94,14 @@ Fixpoint divides (f : formula) : list name :=
   | _ => []
   end.
 
-Definition defined (x : configuration) (f : formula) : Prop :=
-  forall n, In n (divides f) -> sin (x n) <> 0.
+Definition defined (x : configuration) (f : formula) : Prop := forall n, In n (divides f) -> sin (x n) <> 0.
 
 (** ** Partial derivatives *)
 
 (** Products and sums in which a derivative is often zero. *)
 Definition is_nil (f : formula) : bool := match f with Int Z0 => true | _ => false end.
 Definition add0 (f g : formula) : formula := if is_nil f then g else if is_nil g then f else Add f g.
-Definition sub0 (f g : formula) : formula :=
-  if is_nil g then f else if is_nil f then Opp g else Sub f g.
+Definition sub0 (f g : formula) : formula := if is_nil g then f else if is_nil f then Opp g else Sub f g.
 Definition mul0 (f g : formula) : formula := if is_nil f || is_nil g then Int 0 else Mul f g.
 Definition opp0 (f : formula) : formula := if is_nil f then Int 0 else Opp f.
 
@@ -178,8 +176,7 @@ Proof.
 Qed.
 
 Lemma place_moves given unknowns (x u : point) n s : distinct unknowns = true ->
-  place given unknowns (fun i => x i + s * u i) n
-  = place given unknowns x n + s * rate unknowns u n.
+  place given unknowns (fun i => x i + s * u i) n = place given unknowns x n + s * rate unknowns u n.
 Proof.
   revert x u. induction unknowns as [| m rest IH]; intros x u Hdistinct.
   - unfold rate. simpl. ring.
@@ -213,8 +210,7 @@ Proof.
             meaning (at_ t) (if b then F else Int 0) = if b then d else 0).
   { now intros [] F d HF. }
   assert (value_is : forall (f : R -> R) (d e : R), is_derive f t d -> d = e -> is_derive f t e)
-    by (intros f0 d e Hd <-; exact Hd).
-  change (place given unknowns (fun i => x i + t * u i)) with (at_ t).
+    by (intros f0 d e Hd <-; exact Hd). change (place given unknowns (fun i => x i + t * u i)) with (at_ t).
   induction f as [z | p q | m | m | m | m | f IH | f IHf g IHg | f IHf g IHg | f IHf g IHg];
     intros Hdefined; simpl slope.
   8-10: assert (Hf : defined (at_ t) f) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
@@ -270,8 +266,7 @@ Lemma covers_plain X x : has X x -> covers (plain X) x.
 Proof. intros Hx. refine (conj Hx (conj _ (conj _ _))); apply has_anything. Qed.
 
 (** of an angle, *)
-Definition angle (X : enclosure) : functions :=
-  Functions X (I.sin prec X) (I.cos prec X) anything.
+Definition angle (X : enclosure) : functions := Functions X (I.sin prec X) (I.cos prec X) anything.
 
 Lemma covers_angle X x : has X x -> covers (angle X) x.
 Proof.

@@ -89,8 +89,7 @@ Fixpoint is_regular (n : nat) (rows : list (list Z)) : bool :=
       end
   end.
 
-Lemma is_regular_sound n rows v : is_regular n rows = true ->
-  (forall row, In row rows -> product row v = 0) -> 
+Lemma is_regular_sound n rows v : is_regular n rows = true -> (forall row, In row rows -> product row v = 0) ->
   (forall j, (n <= j)%nat -> v j = 0) -> forall j, (j < n)%nat -> v j = 0.
 Proof.
   revert rows v. induction n as [| n IH]; intros rows v Hregular Hrows Hbeyond j Hj; [lia |]. simpl in Hregular.
@@ -111,8 +110,7 @@ Proof.
 Qed.
 
 (** The numbers of a row, as integers in units of the finest among them. *)
-Definition finest (row : list dyadic) : Z :=
-  fold_right (fun d e => Z.min (exponent d) e) 0%Z row.
+Definition finest (row : list dyadic) : Z := fold_right (fun d e => Z.min (exponent d) e) 0%Z row.
 Definition integers (row : list dyadic) : list Z :=
   let e := finest row in map (fun d => Z.shiftl (mantissa d) (exponent d - e)) row.
 
@@ -147,8 +145,7 @@ Definition is_square (n : nat) (m : list (list dyadic)) : bool :=
   Nat.eqb (length m) n && forallb (fun row => Nat.eqb (length row) n) m.
 
 Lemma regular_matrix n Y v : is_square n Y = true -> is_regular n (map integers Y) = true ->
-  (forall i, (i < n)%nat -> Contraction.sum n (fun j => entries Y i j * v j) = 0) ->
-  forall j, (j < n)%nat -> v j = 0.
+  (forall i, (i < n)%nat -> Contraction.sum n (fun j => entries Y i j * v j) = 0) -> forall j, (j < n)%nat -> v j = 0.
 Proof.
   intros Hsquare Hregular Hv j Hj. apply andb_true_iff in Hsquare. destruct Hsquare as [Hrows Hlengths].
   apply Nat.eqb_eq in Hrows. set (w := fun j => if Nat.ltb j n then v j else 0).
@@ -169,10 +166,7 @@ Qed.
 Section Test.
 
 (** Bits to compute in, what is solved for, what is zero, and the matrix. *)
-Variable prec : I.precision.
-Variable unknowns : list name.
-Variable formulas : list formula.
-Variable Y : list (list dyadic).
+Variables (prec : I.precision) (unknowns : list name) (formulas : list formula) (Y : list (list dyadic)).
 
 Notation n := (length unknowns).
 
@@ -242,9 +236,8 @@ Definition partial (j k : nat) (x : point) : R :=
 
 Hypothesis sizes : length formulas = n.
 
-Lemma bounds_hold E C x : bounds E = Some C -> surrounds E (place given unknowns x) ->
-  forall i k, (i < n)%nat -> (k < n)%nat ->
-  Rabs (unit_entry i k - Contraction.sum n (fun j => entries Y i j * partial j k x)) <= entries C i k.
+Lemma bounds_hold E C x : bounds E = Some C -> surrounds E (place given unknowns x) -> forall i k, (i < n)%nat ->
+  (k < n)%nat -> Rabs (unit_entry i k - Contraction.sum n (fun j => entries Y i j * partial j k x)) <= entries C i k.
 Proof.
   intros HC HE i k Hi Hk. unfold bounds in HC. assert (Hrow := all_entries _ _ _ _ HC i [] Hi). simpl in Hrow.
   assert (Hentry := all_entries _ _ _ _ Hrow k nought Hk). simpl in Hentry. apply (largest_bounds _ _ _ Hentry).

@@ -101,9 +101,8 @@ Definition is_wrong (v : written) (p : Z) (k : positive) : bool :=
   | Infinite => false
   end.
 
-Lemma in_units m e p k : (e <= - Zpos k)%Z ->
-  let u := powerRZ 10 e in
-  0 < u /\ Rabs (IZR m * u - IZR p / IZR (Z.pow_pos 10 k)) = IZR (off m e p k) * u /\
+Lemma in_units m e p k : (e <= - Zpos k)%Z -> let u := powerRZ 10 e in 0 < u /\
+  Rabs (IZR m * u - IZR p / IZR (Z.pow_pos 10 k)) = IZR (off m e p k) * u /\
   IZR 5 / IZR (Z.pow_pos 10 (Pos.succ k)) = IZR (units k e) * u / 2.
 Proof.
   intros He u. assert (positive : 0 < u) by (apply powerRZ_lt; lra).
@@ -119,8 +118,7 @@ Proof.
 Qed.
 
 Theorem right_there q p k : is_right (written_of q) p k = true ->
-  Rabs (value_of (friction_there l x) x q - IZR p / IZR (Z.pow_pos 10 k))
-  <= IZR 5 / IZR (Z.pow_pos 10 (Pos.succ k)).
+  Rabs (value_of (friction_there l x) x q - IZR p / IZR (Z.pow_pos 10 k)) <= IZR 5 / IZR (Z.pow_pos 10 (Pos.succ k)).
 Proof.
   unfold is_right. destruct (written_of q) as [| m e] eqn:Hq; [easy |]. intros Htest. conditions. in_integers.
   assert (near := is_written q m e Hq ltac:(lia)). destruct (in_units m e p k ltac:(easy)) as (Hu & Hoff & ->).
@@ -132,8 +130,7 @@ Proof.
 Qed.
 
 Theorem wrong_there q p k : is_wrong (written_of q) p k = true ->
-  IZR 5 / IZR (Z.pow_pos 10 (Pos.succ k))
-  < Rabs (value_of (friction_there l x) x q - IZR p / IZR (Z.pow_pos 10 k)).
+  IZR 5 / IZR (Z.pow_pos 10 (Pos.succ k)) < Rabs (value_of (friction_there l x) x q - IZR p / IZR (Z.pow_pos 10 k)).
 Proof.
   unfold is_wrong. destruct (written_of q) as [| m e] eqn:Hq; [easy |]. intros Htest. conditions. in_integers.
   assert (near := is_written q m e Hq ltac:(lia)). destruct (in_units m e p k ltac:(easy)) as (Hu & Hoff & ->).
@@ -145,8 +142,7 @@ Proof.
   rewrite (Rabs_minus_sym (IZR m * u)) in Htriangle.
   replace (value_of (friction_there l x) x q - IZR p / IZR (Z.pow_pos 10 k)
            + (IZR m * u - value_of (friction_there l x) x q))
-    with (IZR m * u - IZR p / IZR (Z.pow_pos 10 k)) in Htriangle by ring.
-  rewrite Hoff in Htriangle. nra.
+    with (IZR m * u - IZR p / IZR (Z.pow_pos 10 k)) in Htriangle by ring. rewrite Hoff in Htriangle. nra.
 Qed.
 
 End Landmark.

@@ -87,7 +87,6 @@ Definition located (c : certificate) (full : Z) (given : Z -> surroundings) (s :
             else None
       end.
 
-
 (** ** What is found is there *)
 
 (** A test of many conditions, taken apart. *)
@@ -116,9 +115,8 @@ Section Box.
 Variables (prec : Z) (u : list name).
 Notation n := (length u).
 
-Lemma surrounds_box G g b x : surrounds G g ->
-  length (centre b) = n -> length (radius b) = n -> boxed u (centre b) (radius b) x ->
-  surrounds (remembered (sited G u (boxes prec u b))) (place g u x).
+Lemma surrounds_box G g b x : surrounds G g -> length (centre b) = n -> length (radius b) = n ->
+  boxed u (centre b) (radius b) x -> surrounds (remembered (sited G u (boxes prec u b))) (place g u x).
 Proof.
   intros HG Hc Hr Hx. apply surrounds_remembered, surrounds_sited; [exact HG | |].
   - unfold boxes. rewrite map_length, !combine_length, Hc, Hr, !Nat.min_id. easy.
@@ -132,8 +130,7 @@ Proof.
 Qed.
 
 Lemma points_nth c i : length c = n -> (i < n)%nat ->
-  nth i (points prec u c) (plain anything)
-  = functions_of prec (nth i u Alpha) (exact (nth i c nought)).
+  nth i (points prec u c) (plain anything) = functions_of prec (nth i u Alpha) (exact (nth i c nought)).
 Proof.
   intros Hc Hi. unfold points. set (f := fun nc : name * dyadic => functions_of prec (fst nc) (exact (snd nc))).
   rewrite (nth_indep _ _ (f (Alpha, nought))) by (rewrite map_length, combine_length, Hc, Nat.min_id; easy).

@@ -20,8 +20,7 @@ Proof.
   - apply has_mul; [apply (has_integer prec 2) | apply has_atan, has_quotient].
 Qed.
 
-Definition coefficient_or_zero (f : friction) : R :=
-  match coefficient f with Some mu => mu | None => 0 end.
+Definition coefficient_or_zero (f : friction) : R := match coefficient f with Some mu => mu | None => 0 end.
 
 Lemma coefficient_is f : coefficient f = if is_limited f then Some (coefficient_or_zero f) else None.
 Proof. now destruct f. Qed.
@@ -38,8 +37,7 @@ Qed.
 Definition numbers_in (l : list (name * R)) : configuration := fun n =>
   match find (fun nx => same n (fst nx)) l with Some nx => snd nx | None => 0 end.
 
-Definition agree (nX : name * enclosure) (nx : name * R) : Prop :=
-  fst nX = fst nx /\ has (snd nX) (snd nx).
+Definition agree (nX : name * enclosure) (nx : name * R) : Prop := fst nX = fst nx /\ has (snd nX) (snd nx).
 
 Lemma surrounds_given L l : (forall prec, List.Forall2 agree (L prec) l) ->
   forall prec, surrounds (given L prec) (numbers_in l).
@@ -121,8 +119,7 @@ Lemma has_twentieths prec m e : has (twentieths prec m e) (IZR m / 20 * powerRZ 
 Proof.
   unfold twentieths. destruct (Z.leb_spec 0 e).
   - replace (IZR m / 20 * powerRZ 10 e) with (IZR (m * 10 ^ e) / 20)
-      by (rewrite mult_IZR, power_of_ten by easy; field).
-    apply has_div; apply has_integer.
+      by (rewrite mult_IZR, power_of_ten by easy; field). apply has_div; apply has_integer.
   - replace (IZR m / 20 * powerRZ 10 e) with (IZR m / IZR (20 * 10 ^ (- e))).
     + apply has_div; apply has_integer.
     + assert (Q : powerRZ 10 (- e) <> 0) by (apply powerRZ_NOR; lra).
@@ -330,8 +327,7 @@ Proof.
   { intros n Hn. unfold y. destruct (is_limited f && negb (slides_inside m)), n; easy. }
   assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
   assert (friction : coefficient f = (if is_limited f then Some (x Mu) else None))
-    by (rewrite coefficient_is, mu; easy).
-  destruct (signs_suffice w m f y) as [Horder Hleast]; try easy.
+    by (rewrite coefficient_is, mu; easy). destruct (signs_suffice w m f y) as [Horder Hleast]; try easy.
   - now rewrite same_numbers.
   - apply List.Forall_forall. intros g Hg. now apply (are_all_positive_sound full S y (signs w m (is_limited f))).
   - apply List.Forall_forall. intros e He. assert (Hp := proj1 (List.Forall_forall _ _) Hprinted e He). unfold y.
@@ -443,15 +439,13 @@ Proof.
     assert (Hprinted := holds_printed _ _ _ Hholds). apply List.Forall_inv in Hholds.
     list_of Hsigns; list_of Hprinted. cbn [meaning] in *.
     refine (conj Harch (conj (ex_intro _ x (conj crown (conj eta (conj (conj thrust Hholds) (conj Hvalues _))))) _));
-      [exact Hless |].
-    intros e He (h & p & Hinside). cbn [printed] in *. rewrite thrust, eta in *.
+      [exact Hless |]. intros e He (h & p & Hinside). cbn [printed] in *. rewrite thrust, eta in *.
     assert (Hlimit := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
     now apply (too_wide_without_limit (flag w) (x Alpha) (real (half_opening a))) with (eta := e) (h := h) (p := p).
 Qed.
 
-Lemma enough_sound prec E x : enough prec E = true -> surrounds E x ->
-  0 < x Thrust < 1 -> 0 < x Alpha < PI -> 0 < normal_force (x Alpha) (x Thrust) ->
-  forall y, 0 <= y <= x Alpha -> friction_holds y (x Mu) (x Thrust).
+Lemma enough_sound prec E x : enough prec E = true -> surrounds E x -> 0 < x Thrust < 1 -> 0 < x Alpha < PI ->
+  0 < normal_force (x Alpha) (x Thrust) -> forall y, 0 <= y <= x Alpha -> friction_holds y (x Mu) (x Thrust).
 Proof.
   unfold enough. cbv zeta. intros Htest HE Hthrust Halpha N. apply andb_true_iff in Htest.
   destruct Htest as [Hshoulder Hinside]. assert (HS := surrounds_steepest prec E x HE).
@@ -463,9 +457,8 @@ Proof.
     assert (H := are_all_positive_sound _ _ _ _ _ Hinside HE (or_introl eq_refl)).
     apply friction_of_short_arch; try easy; try lra. unfold mu_ss.
     assert (E1 : x Thrust * cos (x Alpha) + x Alpha * sin (x Alpha) = normal_force (x Alpha) (x Thrust))
-      by (unfold normal_force; ring).
-    cbn in H. rewrite E1 in *. apply (Rmult_le_reg_r (normal_force (x Alpha) (x Thrust))); [easy |].
-    field_simplify; lra.
+      by (unfold normal_force; ring). cbn in H. rewrite E1 in *.
+    apply (Rmult_le_reg_r (normal_force (x Alpha) (x Thrust))); [easy |]. field_simplify; lra.
   - assert (carries := are_all_positive_sound _ _ _ _ inner_carries Hinside HS (or_introl eq_refl)).
     assert (grip := are_all_positive_sound _ _ _ _ grip_inside Hinside HS ltac:(simpl; auto)).
     assert (H := friction_below (steepest_of x) inner_slides inner_carries carries grip).
@@ -520,8 +513,7 @@ Qed.
 (** ** Landmarks *)
 
 (** A configuration with one joint for both. *)
-Definition one_joint_of (x : configuration) : configuration := fun n =>
-  match n with BetaR => x BetaS | _ => x n end.
+Definition one_joint_of (x : configuration) : configuration := fun n => match n with BetaR => x BetaS | _ => x n end.
 
 Lemma surrounds_one_joint E x : surrounds E x -> surrounds (with_one_joint E) (one_joint_of x).
 Proof. intros HE []; apply HE. Qed.
@@ -599,8 +591,7 @@ Lemma landmark_meets w x l : x Alpha < PI -> is_fixed l x ->
 Proof.
   intros Hopen Hfixed Hsigns Hholds. assert (Hprinted := holds_printed _ _ _ Hholds).
   assert (sb : l = WidestJoint -> radicand (flag w) (f_of (x BetaR)) (g_of (x BetaR)) (sin (x BetaR)) = 0)
-    by (intros ->; now apply radicand_there).
-  unfold is_zero_there, is_left_there, is_least_friction. clear Hholds.
+    by (intros ->; now apply radicand_there). unfold is_zero_there, is_left_there, is_least_friction. clear Hholds.
   at_landmark w x l Hsigns Hprinted; cbn [friction_there].
   1-4: assert (less : forall mu', 0 <= mu' < x Mu -> stands_at_no_thickness (x Alpha) mu')
     by (apply (purely_sliding (x Alpha) (x Mu) (x Thrust) (x BetaS)); try tauto; try lra).
@@ -622,9 +613,8 @@ Qed.
 
 (** The modes that meet there, and the order of the joints. *)
 Lemma landmark_there w x l : x Alpha < PI -> is_fixed l x ->
-  List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) ->
-  List.Forall (holds (flag w) x) (equations_of l) -> is_zero_there l (flag w) x ->
-  (forall m, In m (modes_of l) -> is_state_there l (flag w) x m) /\ in_order_there l x.
+  List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) -> List.Forall (holds (flag w) x) (equations_of l) ->
+  is_zero_there l (flag w) x -> (forall m, In m (modes_of l) -> is_state_there l (flag w) x m) /\ in_order_there l x.
 Proof.
   intros Hopen Hfixed Hsigns Hholds [_ Hzero].
   destruct l; cbn [is_fixed modes_of] in *; list_of Hsigns; list_of Hholds.
@@ -768,16 +758,14 @@ Proof. unfold gap_across, half_outer, half_inner, across, extrados, intrados. cb
 Lemma meaning_upwards x : meaning x gap_upwards = upwards (x Eta) (x Hinge) (x BetaR).
 Proof. unfold gap_upwards, half_outer, half_inner, upwards, extrados, intrados. cbn [meaning]. field. Qed.
 
-Lemma slips_inside x :
-  slips_of SlidesInside x Slip = shoulder_slip (x Alpha) (x Eta) (x Hinge) (x BetaR) (x BetaS) /\
+Lemma slips_inside x : slips_of SlidesInside x Slip = shoulder_slip (x Alpha) (x Eta) (x Hinge) (x BetaR) (x BetaS) /\
   slips_of SlidesInside x InnerSlip = inner_slip (x Alpha) (x Eta) (x Hinge) (x BetaR) (x BetaS).
 Proof.
   unfold slips_of, shoulder_slip, inner_slip. cbv zeta. cbn [slip_numerator rate_divisor]. unfold gap_along.
   cbn [meaning]. rewrite meaning_across, meaning_upwards. now split.
 Qed.
 
-Lemma slips_opening x :
-  slips_of OpensAtShoulder x Slip = slip_of_opening (x Alpha) (x Eta) (x Hinge) (x BetaR) /\
+Lemma slips_opening x : slips_of OpensAtShoulder x Slip = slip_of_opening (x Alpha) (x Eta) (x Hinge) (x BetaR) /\
   slips_of OpensAtShoulder x Opening = shoulder_opening (x Alpha) (x Eta) (x Hinge) (x BetaR) /\
   meaning x (rate_divisor OpensAtShoulder) = shoulder_determinant (x Alpha) (x Eta) (x BetaR).
 Proof.

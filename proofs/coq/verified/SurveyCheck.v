@@ -47,8 +47,7 @@ Definition circle_of (at_place : place) : Q :=
 Definition opening_of (at_place : place) : number :=
   let '(span, rise) := at_place in let q := (2 * rise / span)%Q in TwiceArctangent (Qnum q) (Qden q).
 Definition outwards (c : circle) (t r : Q) : Q := (r + inject_Z (to_centreline c) * t / 2)%Q.
-Definition ratio_of (c : circle) (t r : Q) : number :=
-  let q := (t / outwards c t r)%Q in Fraction (Qnum q) (Qden q).
+Definition ratio_of (c : circle) (t r : Q) : number := let q := (t / outwards c t r)%Q in Fraction (Qnum q) (Qden q).
 
 (** Where arches stand least easily, and where most easily. *)
 Inductive side := Unsafe | Safe.

@@ -149,12 +149,11 @@ Proof.
   destruct (Qle_bool (circle_of first) (circle_of last)) eqn:Hle; compared; [apply Rmax_right | apply Rmax_left]; lra.
 Qed.
 
-Lemma least_circle first last : is_real first -> is_real last ->
-  let half := Q2R (fst first) / 2 in
-  let least := Q2R (its_circle Safe (first, last)) in
-  Q2R (fst first) = Q2R (fst last) /\ Q2R (snd first) < half < Q2R (snd last) /\ least = half \/
+Lemma least_circle first last : is_real first -> is_real last -> let half := Q2R (fst first) / 2 in
+  let least := Q2R (its_circle Safe (first, last)) in Q2R (fst first) = Q2R (fst last) /\
+  Q2R (snd first) < half < Q2R (snd last) /\ least = half \/
   (Q2R (fst first) = Q2R (fst last) -> half <= Q2R (snd first) \/ Q2R (snd last) <= half) /\
-    least = Rmin (radius_at first) (radius_at last).
+  least = Rmin (radius_at first) (radius_at last).
 Proof.
   intros H H'. cbv zeta. unfold its_circle.
   assert (E : Q2R (fst first / 2) = Q2R (fst first) / 2) by (rewrite Q2R_div by easy; now in_reals).
@@ -221,8 +220,7 @@ Variables (spans rises : Q * Q).
 Hypothesis spans_ordered : 0 < Q2R (fst spans) <= Q2R (snd spans).
 Hypothesis rises_ordered : 0 < Q2R (fst rises) <= Q2R (snd rises).
 
-Lemma ends_are_real d first last : is_step d spans rises (first, last) = true ->
-  is_real first /\ is_real last /\
+Lemma ends_are_real d first last : is_step d spans rises (first, last) = true -> is_real first /\ is_real last /\
   (between spans (Q2R (fst first)) /\ between rises (Q2R (snd first))).
 Proof.
   intros H. apply step_sound in H. destruct first as [s f], last as [s' f']. unfold is_real, between in *.
@@ -230,8 +228,7 @@ Proof.
 Qed.
 
 Variables (span rise : R).
-Hypothesis span_between : between spans span.
-Hypothesis rise_between : between rises rise.
+Hypotheses (span_between : between spans span) (rise_between : between rises rise).
 
 Lemma unsafe_step first last : is_step Unsafe spans rises (first, last) = true -> slopes_between span rise first last ->
   opening span rise <= real (opening_of last) /\ Surveys.radius span rise <= Q2R (its_circle Unsafe (first, last)).
@@ -373,10 +370,9 @@ Definition is_beside (d : side) (a : arch) (t : number) (alpha eta : R) (mu : op
   | Safe => real (half_opening a) <= alpha /\ eta <= real t /\ no_more mu (coefficient (its_friction a))
   end.
 
-Lemma some_part_decides s d b l alpha eta mu : is_sound s -> are_all s l = true ->
-  forallb (decides s d b) l = true -> surveyed s alpha eta mu ->
-  exists a t, self_weight a = survey_weight s /\ is_thickness t = true /\ 0 < real (half_opening a) /\ is_beside d a t alpha eta mu /\
-    if b then stands a (real t) else ~ stands a (real t).
+Lemma some_part_decides s d b l alpha eta mu : is_sound s -> are_all s l = true -> forallb (decides s d b) l = true ->
+  surveyed s alpha eta mu -> exists a t, self_weight a = survey_weight s /\ is_thickness t = true /\
+  0 < real (half_opening a) /\ is_beside d a t alpha eta mu /\ if b then stands a (real t) else ~ stands a (real t).
 Proof.
   intros Hs Hall Hdecides Harch.
   assert (one : forall p a t, In p l -> deciding s d (its_step p) = Some (a, t) ->

@@ -20,10 +20,8 @@ Definition left (n : name) : side := Side (- Val n) (- Sin n) (Cos n).
 
 Definition half_outer : formula := 1 + Val Eta * Ratio 1 2.
 Definition half_inner : formula := 1 - Val Eta * Ratio 1 2.
-Definition normal_at (j : side) : formula :=
-  Val Thrust * cosine_of j + (angle_of j - Val Force) * sine_of j.
-Definition shear_at (j : side) : formula :=
-  (angle_of j - Val Force) * cosine_of j - Val Thrust * sine_of j.
+Definition normal_at (j : side) : formula := Val Thrust * cosine_of j + (angle_of j - Val Force) * sine_of j.
+Definition shear_at (j : side) : formula := (angle_of j - Val Force) * cosine_of j - Val Thrust * sine_of j.
 Definition moment_at (w : weight) (j : side) : formula := Val Moment + centroid w * (1 - cosine_of j).
 Definition normal_slope_at (j : side) : formula :=
   (1 - Val Thrust) * sine_of j + (angle_of j - Val Force) * cosine_of j.
@@ -79,8 +77,7 @@ Proof. destruct m; margin_in_numbers; field. Qed.
 
 (** ** Along the arch *)
 
-Definition at_joint (x : configuration) (j : R) : configuration :=
-  fun n => if same Joint n then j else x n.
+Definition at_joint (x : configuration) (j : R) : configuration := fun n => if same Joint n then j else x n.
 
 Definition along (w : weight) (m : margin) : formula := margin_at w m (right Joint).
 Definition along_slope (w : weight) (m : margin) : formula := slope Joint (along w m).
@@ -157,8 +154,7 @@ Definition settled (m e : Z) (km : known_margin) (F G : functions) : bool :=
 
 Definition piece (m e : Z) : enclosure := around prec (Dyadic m e) (Dyadic 1 e).
 
-Definition is_beyond (X A : enclosure) : bool :=
-  is_positive (I.sub prec X A) || is_positive (I.sub prec (I.neg X) A).
+Definition is_beyond (X A : enclosure) : bool := is_positive (I.sub prec X A) || is_positive (I.sub prec (I.neg X) A).
 
 Fixpoint covered (depth : nat) (margins : list known_margin) (m e : Z) : bool :=
   let X := piece m e in
@@ -252,12 +248,10 @@ Definition is_known (km : known_margin) : Prop := forall near, In near (snd km) 
 Lemma covers_middle m e : covers (angle prec (exact (Dyadic m e))) (value (Dyadic m e)).
 Proof. apply covers_angle, has_exact. Qed.
 
-Lemma settled_sound m e km j :
-  let F := angle prec (exact (Dyadic m e)) in
-  let r := symmetric (Dyadic 1 e) in
+Lemma settled_sound m e km j : let F := angle prec (exact (Dyadic m e)) in let r := symmetric (Dyadic 1 e) in
   let G := Functions (piece prec m e) (I.add prec (sine F) r) (I.add prec (cosine F) r) anything in
-  settled prec w E m e km F G = true -> is_known km ->
-  Rabs (j - value (Dyadic m e)) <= value (Dyadic 1 e) -> - x Alpha <= j <= x Alpha -> not_negative (fst km) j.
+  settled prec w E m e km F G = true -> is_known km -> Rabs (j - value (Dyadic m e)) <= value (Dyadic 1 e) ->
+  - x Alpha <= j <= x Alpha -> not_negative (fst km) j.
 Proof.
   intros F r G Htest Hknown Hj Hin. set (c := value (Dyadic m e)) in *.
   assert (HG : forall k, Rabs (k - c) <= value (Dyadic 1 e) -> covers G k).

@@ -47,7 +47,7 @@ fn how_much_rests_on_words_is_told() {
         joined += usize::from(between > 0);
     }
     let beneath = claims.iter().filter(|claim| claim["argument"] == "beneath").count();
-    for id in ["asymmetric-number", "survey-rise", "eq-9-11-signs", "safety-rotation"] {
+    for id in ["asymmetric-number", "survey-safety", "eq-9-11-signs", "safety-rotation"] {
         let claim = claims.iter().find(|claim| claim["id"] == id).unwrap();
         assert_eq!(claim["argument"], "own", "{id}");
     }
@@ -90,7 +90,7 @@ fn a_derivation_can_be_followed() {
     ] {
         assert!(text.contains(line), "{line}");
     }
-    let text = printed("prove unique-attained map-columns eq-9-11-signs survey-rise survey-worst");
+    let text = printed("prove unique-attained map-columns eq-9-11-signs survey-safety survey-worst");
     for line in [
         "by checks and theorems of Coq",
         "by checks and an argument in words",
