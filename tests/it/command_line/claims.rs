@@ -90,7 +90,8 @@ fn a_derivation_can_be_followed() {
     ] {
         assert!(text.contains(line), "{line}");
     }
-    let text = printed("prove unique-attained map-columns eq-9-11-signs survey-safety survey-worst");
+    let text =
+        printed("prove unique-attained map-columns eq-9-11-signs survey-safety survey-worst");
     for line in [
         "by checks and theorems of Coq",
         "by checks and an argument in words",

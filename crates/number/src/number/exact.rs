@@ -462,8 +462,8 @@ impl ExactNumber {
     }
 }
 
-/// A quotient in lowest terms. A double is a whole number over a power of two, of which no common divisor is sought: that
-/// takes longer than all else of its text.
+/// A quotient in lowest terms. A double is a whole number over a power of two, of which no common divisor is sought:
+/// that takes longer than all else of its text.
 fn reduced(above: BigRational, below: BigInt) -> BigRational {
     let twos = below.trailing_zeros().filter(|twos| BigInt::from(1) << *twos == below);
     match (twos, above.numer().trailing_zeros()) {
