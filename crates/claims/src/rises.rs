@@ -1,4 +1,4 @@
-//! What claims about arches of one rise are told in, and what relieves a shoulder that slides.
+//! Letters of claims about arches of one rise, and what relieves a shoulder that slides.
 //!
 //! Divide the thickness and the centroids' radius by the radius of the extrados:
 //!
