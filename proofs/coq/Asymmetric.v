@@ -1,16 +1,15 @@
 (** * Up to the right angle nothing moves asymmetrically
 
-    An arch whose half opening is at most the right angle, in a state with a vertical force [v] in the crown:
-    whichever joints are at their limits, at any number of places, without dilatancy no rates fit but zero. So
-    there the complementarity problem (19) of the whole arch has symmetric states alone.
+    An arch whose half opening is at most the right angle, in a state with a vertical force [v] in the crown: whichever
+    joints are at their limits, at any number of places, without dilatancy no rates fit but zero. So there the
+    complementarity problem (19) of the whole arch has symmetric states alone.
 
-    Let [v] be positive. The mirror image of a joint bears more than the joint itself, so that the line of
-    thrust reaches the extrados on the right and the intrados on the left ([extrados_on_the_right],
-    [intrados_on_the_left]), and no joint slides inwards as seen on the right ([nothing_slides_inwards]). Each
-    joint that moves then moves what is left of it upwards, if at all, and the left springing stays. *)
+    Let [v] be positive. The mirror image of a joint bears more than the joint itself, so that the line of thrust
+    reaches the extrados on the right and the intrados on the left, and no joint slides inwards as seen on the right.
+    Each joint that moves then moves what is left of it upwards, if at all, and the left springing stays. *)
 
 From Couplet Require Import Whole Contact.
-From Coq Require Import List.
+From Coq Require Import List Classical.
 Import ListNotations.
 
 (** ** What is claimed *)
@@ -72,7 +71,7 @@ Section Right.
 
   Lemma signs_at x : - alpha <= x <= alpha -> (0 < x -> 0 < sin x) /\ (x < 0 -> sin x < 0) /\ (x <> 0 -> cos x < 1).
   Proof.
-    split; [intros; apply sin_gt_0; lra | split; [intros; apply sin_lt_0_var; lra |]]. intros Hne. rewrite <- cos_0.
+    split; [intros; positive | split; [intros; apply sin_lt_0_var; lra |]]. intros Hne. rewrite <- cos_0.
     destruct (Rlt_le_dec 0 x); [| rewrite <- (cos_neg x)]; apply cos_decreasing_1; lra.
   Qed.
 
@@ -114,7 +113,7 @@ Section Right.
     intros Hx H0. apply Rnot_le_lt. intros [Hneg | ->].
     - assert (Hs := proj1 (proj2 (signs_at x Hx)) Hneg). destruct (Hall (- x) ltac:(lra)) as (HU & _).
       unfold from_extrados, whole_moment, whole_normal in *. rewrite sin_neg, cos_neg in HU.
-      assert (0 < extrados eta * (v * - sin x)) by (repeat apply Rmult_lt_0_compat; unfold extrados; lra). lra.
+      assert (0 < extrados eta * (v * - sin x)) by positive. lra.
     - assert (Hl := level_extrados 0 ltac:(lra) H0). unfold face_slope, normal_slope, extrados in Hl.
       rewrite sin_0, cos_0 in Hl. nra.
   Qed.
@@ -130,8 +129,7 @@ Section Right.
     split; [| split; [intros -> | exact Hlimit]].
     - apply Rnot_lt_le. intros Hpos. assert (Hs := proj1 (signs_at x Hx) Hpos).
       destruct (Hall (- x) ltac:(lra)) as (_ & HL & _). unfold from_intrados, whole_moment, whole_normal in *.
-      rewrite sin_neg, cos_neg in HL.
-      assert (0 < intrados eta * (v * sin x)) by (repeat apply Rmult_lt_0_compat; unfold intrados; lra). lra.
+      rewrite sin_neg, cos_neg in HL. assert (0 < intrados eta * (v * sin x)) by positive. lra.
     - assert (Hl := level_intrados 0 ltac:(lra) H0). unfold face_slope, normal_slope, intrados in Hl.
       rewrite sin_0, cos_0 in Hl. nra.
   Qed.
@@ -166,10 +164,9 @@ Section Right.
   Proof.
     intros Hx H0. set (t := Rmin (alpha - x) (alpha + x)). assert (Ht : 0 < t) by (apply Rmin_glb_lt; lra).
     assert (t <= alpha - x) by apply Rmin_l. assert (t <= alpha + x) by apply Rmin_r.
-    assert (Hs : 0 < sin t) by (apply sin_gt_0; lra). assert (Habout := outwards_about x t).
-    assert (0 <= against_outwards mu h v (x + t)) by (apply Hall; lra).
-    assert (0 <= against_outwards mu h v (x - t)) by (apply Hall; lra).
-    assert (0 < t * sin t) by (now apply Rmult_lt_0_compat). nra.
+    assert (Hs : 0 < sin t) by positive.
+    assert (Habout := outwards_about x t). assert (0 <= against_outwards mu h v (x + t)) by (apply Hall; lra).
+    assert (0 <= against_outwards mu h v (x - t)) by (apply Hall; lra). assert (0 < t * sin t) by positive. nra.
   Qed.
 
   Lemma outward_force x : - alpha <= x <= alpha -> against_outwards mu h v x = 0 ->
@@ -201,16 +198,14 @@ Section Right.
     destruct (outward_force alpha ltac:(lra) H1) as (m & Hm & Eh' & Ea). assert (Hh := thrust_positive).
     assert (E : h * (alpha - v) - h * (x - v) = m * n * (1 + mu * mu) * sin (alpha - x)).
     { rewrite Ex, Ea. rewrite Eh at 1. rewrite Eh' at 1. rewrite sin_minus. ring. }
-    assert (0 < m * n * (1 + mu * mu)) by (repeat apply Rmult_lt_0_compat; nra). nra.
+    assert (0 < m * n * (1 + mu * mu)) by positive. nra.
   Qed.
 
   (** ** Each face is reached at one joint inside, and one joint slides there *)
 
   Lemma face_from r x t : face r (x + t) = cos t * face r x + sin t * face_slope r x
     - (1 - cos t) * (p + fac delta eta) + r * (t * sin (x + t) - sin t * sin x).
-  Proof.
-    unfold face, face_slope, whole_normal, whole_moment, normal_slope. rewrite sin_plus, cos_plus. ring.
-  Qed.
+  Proof. unfold face, face_slope, whole_normal, whole_moment, normal_slope. rewrite sin_plus, cos_plus. ring. Qed.
 
   (** From either of two joints where a face is touched to the other. *)
   Lemma touched_once r x y : r <> 0 -> sin x + sin y <> 0 -> face r x = 0 -> face_slope r x = 0 -> face r y = 0 ->
@@ -229,7 +224,7 @@ Section Right.
   Lemma one_hinge_above x y : 0 < x < alpha -> 0 < y < alpha -> from_extrados delta eta h p v x = 0 ->
     from_extrados delta eta h p v y = 0 -> x = y.
   Proof.
-    intros Hx Hy H0 H1. assert (0 < sin x) by (apply sin_gt_0; lra). assert (0 < sin y) by (apply sin_gt_0; lra).
+    intros Hx Hy H0 H1. assert (0 < sin x) by positive. assert (0 < sin y) by positive.
     exact (touched_once (extrados eta) x y ltac:(unfold extrados; lra) ltac:(lra) H0 (level_extrados x ltac:(lra) H0)
       H1 (level_extrados y ltac:(lra) H1)).
   Qed.
@@ -245,11 +240,9 @@ Section Right.
     assert (Hs : sin c < 0) by (apply sin_lt_0_var; lra).
     assert (Hcos : cos c < 0) by (rewrite <- cos_neg; apply cos_lt_0; lra).
     assert (HI : 0 <= intrados eta < 1) by (unfold intrados; lra).
-    assert (Hf : 1 <= fac delta eta) by (unfold fac; nra).
-    assert (0 <= intrados eta * h) by (apply Rmult_le_pos; lra).
+    assert (Hf : 1 <= fac delta eta) by (unfold fac; nra). assert (0 <= intrados eta * h) by positive.
     assert ((fac delta eta - intrados eta + intrados eta * h) * sin c < 0) by nra.
-    assert (0 <= intrados eta * ((c - v) * cos c)) by (apply Rmult_le_pos; [lra | nra]).
-    unfold intrados_slope, normal_slope in Hc. nra.
+    assert (0 <= intrados eta * ((c - v) * cos c)) by positive. unfold intrados_slope, normal_slope in Hc. nra.
   Qed.
 
   Lemma one_haunch x y : - alpha < x < alpha -> - alpha < y < alpha -> from_intrados delta eta h p v x = 0 ->
@@ -335,7 +328,7 @@ Section Right.
     Lemma none_moves a b c : (forall j, In j motion -> rate j <> 0 -> 0 < along a b c j) ->
       forall j, In j motion -> rate j = 0.
     Proof.
-      intros Hall' j Hj. apply Classical_Prop.NNPP. intros Hr. assert (H := Hall' j Hj Hr).
+      intros Hall' j Hj. apply NNPP. intros Hr. assert (H := Hall' j Hj Hr).
       rewrite (none_along a b c) in H; [lra | | easy]. intros i Hi Hi'. now apply Rlt_le, Hall'.
     Qed.
 
@@ -348,18 +341,17 @@ Section Right.
     (** Some joint moves downwards: the right springing of a horseshoe. *)
     Lemma springing_slides : (exists j, In j motion /\ rate j <> 0) -> cos alpha < 0 /\ moves_at slips_out alpha.
     Proof.
-      intros (some & Hin & Hsome). apply Classical_Prop.NNPP. intros Hno.
-      assert (0 < sin alpha) by (apply sin_gt_0; lra). assert (HE : 0 < extrados eta) by (unfold extrados; lra).
-      assert (HI : 0 <= intrados eta < 1) by (unfold intrados; lra).
+      intros (some & Hin & Hsome). apply NNPP. intros Hno. assert (0 < sin alpha) by positive.
+      assert (0 < extrados eta) by (unfold extrados; lra). assert (0 <= intrados eta < 1) by (unfold intrados; lra).
       assert (Hup : forall j, In j motion -> along 0 1 0 j = 0).
-      { apply none_along. intros j Hj Hr. destruct (where_it_moves j Hj Hr) as (Hp & _ & _ & Hx).
-        unfold along. destruct j as [[] x r]; simpl in *; [| | easy |]; (apply Rmult_le_pos; [lra |]); [nra | nra |].
+      { apply none_along. intros j Hj Hr. destruct (where_it_moves j Hj Hr) as (Hp & _ & _ & Hx). unfold along.
+        destruct j as [[] x r]; simpl in *; [| | easy |]; (apply Rmult_le_pos; [lra |]); [nra | nra |].
         destruct Hx as [-> | Hx]; [| lra]. apply Rnot_lt_le. intros Hc. apply Hno. split; [lra |].
         now exists (joint slips_out alpha r). }
       apply Hsome, (none_moves 1 0 1); [| exact Hin]. intros j Hj Hr.
       destruct (where_it_moves j Hj Hr) as (Hp & _ & _ & Hx). specialize (Hup j Hj). unfold along in *.
       destruct j as [[] x r]; simpl in *; [| | easy |].
-      - assert (0 < r * (extrados eta * sin x)) by (repeat apply Rmult_lt_0_compat; lra). lra.
+      - assert (0 < r * (extrados eta * sin x)) by positive. lra.
       - apply Rmult_lt_0_compat; [easy |]. destruct (COS_bound x). nra.
       - destruct Hx as [-> | Hx]; nra.
     Qed.
@@ -371,7 +363,7 @@ Section Right.
       intros Hfoot Hca. destruct (at_its_limit _ _ Hfoot) as [_ Hslides].
       destruct Hfoot as (foot & Hin & Hfr & Hfw & Hfx). assert (Hcircle := sin2_cos2 alpha). unfold Rsqr in Hcircle.
       assert (Hhinge : exists b0, b0 < alpha /\ moves_at opens_above b0).
-      { apply Classical_Prop.NNPP. intros Hno. assert (Hadds : forall j, In j motion -> rate j <> 0 ->
+      { apply NNPP. intros Hno. assert (Hadds : forall j, In j motion -> rate j <> 0 ->
           (how j = slips_out /\ place j = alpha) \/ 0 < along (- cos alpha) (sin alpha) 1 j).
         { intros j Hj Hne. destruct (where_it_moves j Hj Hne) as (Hr & Hx & H0 & _). unfold along.
           destruct j as [[] x r]; simpl in *; [right | right | now destruct (nothing_slides_inwards x) |];
@@ -388,7 +380,7 @@ Section Right.
         - rewrite none_along in H; [lra | | easy]. intros i Hi Hi'.
           destruct (Hadds i Hi Hi') as [[E E'] | Hi'']; [| lra]. unfold along. rewrite E, E'. simpl. lra. }
       split; [exact Hhinge |]. destruct Hhinge as (b0 & _ & hinge & Hj & Hhr & Hhw & _).
-      apply Classical_Prop.NNPP. intros Hno. assert (E : along 0 0 (-1) hinge = 0).
+      apply NNPP. intros Hno. assert (E : along 0 0 (-1) hinge = 0).
       { apply none_along; [| easy]. intros j Hi Hne. destruct (where_it_moves j Hi Hne) as (Hr & _). unfold along.
         destruct j as [[] x r]; simpl in *; try lra. elim Hno. now exists x, (joint opens_below x r). }
       unfold along in E. rewrite Hhw in E. simpl in E. lra.
@@ -402,7 +394,7 @@ Section Right.
       In (way, x) [(slips_out, alpha); (opens_above, alpha); (opens_above, b0); (opens_below, - b1); (slips_out, b2)].
     Proof.
       intros Hsome. destruct (springing_slides Hsome) as [Hca Hfoot]. assert (Hwide : PI / 2 < alpha).
-      { apply Rnot_le_lt. intros H. assert (0 <= cos alpha) by (apply cos_ge_0; lra). lra. }
+      { apply Rnot_le_lt. intros H. assert (0 <= cos alpha) by positive. lra. }
       destruct (hinges_move Hfoot Hca) as [(b0 & Hb0 & Habove) (x1 & Hbelow)].
       assert (Hinside : forall x, moves_at opens_below x -> - alpha < x <= 0 /\ - (PI / 2) <= x /\
         from_intrados delta eta h p v x = 0).
@@ -414,7 +406,7 @@ Section Right.
         destruct (slides_upwards x Hin H0) as [E | Hc]; [easy |]. split; [| easy]. split; [| lra]. apply Rnot_le_lt.
         intros H. replace x with (- alpha) in Hc by lra. rewrite cos_neg in Hc. lra. }
       assert (Hslip : exists b2, forall x, moves_at slips_out x -> x <> alpha -> x = b2).
-      { destruct (Classical_Prop.classic (exists x, moves_at slips_out x /\ x <> alpha)) as [(b2 & Hb2 & Hne) | Hno].
+      { destruct (classic (exists x, moves_at slips_out x /\ x <> alpha)) as [(b2 & Hb2 & Hne) | Hno].
         - exists b2. intros x Hx E. now apply one_inner_slip; apply Hslips.
         - exists 0. intros x Hx E. elim Hno. now exists x. }
       destruct Hslip as [b2 Hslip]. destruct (at_its_limit _ _ Habove) as [Hin0 H0].
@@ -473,8 +465,8 @@ Theorem no_asymmetric_motion_up_to_the_right_angle (delta alpha eta mu h p v : R
   0 <= delta -> 0 < alpha <= PI / 2 -> 0 < eta <= 2 -> 0 <= mu -> whole_admissible delta alpha eta mu h p v ->
   v <> 0 -> is_motion delta alpha eta mu h p v motion -> Forall (fun j => rate j = 0) motion.
 Proof.
-  intros Hd Ha He Hm Hall Hv Hmotion. assert (Hca : 0 <= cos alpha) by (apply cos_ge_0; lra).
-  apply Forall_forall. intros j Hj. apply Classical_Prop.NNPP. intros Hne. destruct (Rlt_le_dec 0 v) as [Hpos | Hneg].
+  intros Hd Ha He Hm Hall Hv Hmotion. assert (Hca : 0 <= cos alpha) by positive.
+  apply Forall_forall. intros j Hj. apply NNPP. intros Hne. destruct (Rlt_le_dec 0 v) as [Hpos | Hneg].
   - assert (H := springing_slides delta alpha eta mu h p v Hd ltac:(lra) He Hm Hpos Hall motion Hmotion).
     destruct H as [H _]; [now exists j | lra].
   - assert (H := springing_slides delta alpha eta mu h p (- v) Hd ltac:(lra) He Hm ltac:(lra)

@@ -1,12 +1,11 @@
 (** * The limit of arches that stand stands
 
-    So the least thickness of an arch is attained, and so is the widest half-angle of a thickness;
-    there every state moves.  To each thickness and friction belongs one half-angle with a mechanism.
+    So the least thickness of an arch is attained, and so is the widest half-angle of a thickness; there every state
+    moves, and to each thickness and friction belongs one half-angle with a mechanism. Thrusts of at most 1 are enough,
+    so that their limit is one. *)
 
-    Thrusts of at most 1 are enough, so that their limit is one. *)
-
-From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
-From Couplet Require Import Surveys Mechanisms Thrusts Room.
+From Coq Require Import Classical.
+From Couplet Require Import Overturning Surveys Thrusts Room.
 
 (** ** Limits, without choosing a sequence *)
 
@@ -81,12 +80,12 @@ Proof.
   - exists high. intros t Ht. destruct (Ht 1 ltac:(lra)) as (x & Hx & _). lra.
   - exists low. exact Hsome.
   - exists x0. intros d Hd. assert (Hbelow : exists t, S t /\ x0 - d < t).
-    { destruct (Classical_Prop.classic (exists t, S t /\ x0 - d < t)) as [H | H]; [easy | exfalso].
+    { destruct (classic (exists t, S t /\ x0 - d < t)) as [H | H]; [easy | exfalso].
       enough (x0 <= x0 - d) by lra. apply Hleast. intros t Ht. apply Rnot_lt_le. intros Hlt. apply H. now exists t. }
     assert (Habove : exists d', 0 < d' /\ forall x, P d' x -> x <= high -> x < x0 + d).
-    { destruct (Classical_Prop.classic (exists d', 0 < d' /\ forall x, P d' x -> x <= high -> x < x0 + d)) as [H | H];
+    { destruct (classic (exists d', 0 < d' /\ forall x, P d' x -> x <= high -> x < x0 + d)) as [H | H];
         [easy | exfalso]. enough (S (x0 + d)) by (assert (x0 + d <= x0) by (now apply Hupper); lra). intros d' Hd'.
-      apply Classical_Prop.NNPP. intros Hnone. apply H. exists d'. split; [easy|]. intros x Hx Hhigh.
+      apply NNPP. intros Hnone. apply H. exists d'. split; [easy|]. intros x Hx Hhigh.
       apply Rnot_le_lt. intros Hle. apply Hnone. exists x. split; [lra | easy]. }
     destruct Hbelow as (t & Ht & Hlow), Habove as (d' & Hd' & Hhigh).
     destruct (below_both d d' Hd Hd') as (e & He & E1 & E2). destruct (Ht e He) as (x & Hx & HP). exists x. split.
@@ -118,8 +117,7 @@ Lemma facts_of_near (d : R) (t : state_of_arch) : is_near d t ->
   0 < at_h t /\ intrados (at_eta t) * at_h t <= at_p t <= extrados (at_eta t) * at_h t.
 Proof.
   intros (_ & _ & Ha & He & Hall). split.
-  - apply (friction_needs_thrust (at_alpha t) mu); [lra | lra|]. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf].
-    now split.
+  - apply (friction_needs_thrust delta (at_alpha t) (at_eta t) mu (at_h t) (at_p t)); [lra | lra | exact Hall].
   - destruct (Hall 0 ltac:(lra)) as [(_ & Hin & Hout) _]. unfold normal_force in *. rewrite cos_0, sin_0 in *. lra.
 Qed.
 
@@ -138,7 +136,7 @@ Proof.
   { intros d d' x Hd (t & Ht & Hclose & E). exists t. split; [now apply (is_nearer d)|]. split; [lra | easy]. }
   { intros d Hd. destruct (Hh d Hd) as (x & Hx & t & Ht & HH & ->). exists (at_p t).
     destruct (facts_of_near d t Ht) as [Hpos Hmoment]. assert (Ht' := Ht). destruct Ht' as (_ & _ & _ & D & _).
-    assert (0 <= intrados (at_eta t) * at_h t) by (apply Rmult_le_pos; [unfold intrados|]; lra).
+    assert (0 <= intrados (at_eta t) * at_h t) by positive.
     assert (extrados (at_eta t) * at_h t <= 2 * H) by (apply Rmult_le_compat; try (unfold extrados; lra); lra).
     split; [lra|]. exists t. exact (conj Ht (conj Hx (conj HH eq_refl))). }
   set (near := fun d t => is_near d t /\ Rabs (at_h t - h) < d /\ Rabs (at_p t - p) < d).
@@ -147,64 +145,46 @@ Proof.
   assert (Hnearer : forall d d' t, 0 < d <= d' -> near d t -> near d' t).
   { intros d d' t Hd (Ht & A & B). split; [now apply (is_nearer d) | split; lra]. }
   assert (Te : tends _ near at_eta eta) by its_distance. assert (Th : tends _ near at_h h) by its_distance.
-  assert (Tp : tends _ near at_p p) by its_distance.
-  assert (Tmargins : forall x, tends _ near (fun t => shoulder_gap delta x (at_eta t) (at_h t) (at_p t))
-    (shoulder_gap delta x eta h p) /\ tends _ near (fun t => haunch_gap delta x (at_eta t) (at_h t) (at_p t))
-    (haunch_gap delta x eta h p) /\ tends _ near (fun t => inward_gap x mu (at_h t)) (inward_gap x mu h) /\
-    tends _ near (fun t => outward_gap x mu (at_h t)) (outward_gap x mu h)).
-  { intros x. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force, intrados, extrados.
-    unfold fac. simpl. repeat split; now tending. }
-  assert (Hmargins : forall t x, is_near 1 t -> 0 <= x <= at_alpha t ->
-    0 <= shoulder_gap delta x (at_eta t) (at_h t) (at_p t) /\ 0 <= haunch_gap delta x (at_eta t) (at_h t) (at_p t) /\
-    0 <= inward_gap x mu (at_h t) /\ 0 <= outward_gap x mu (at_h t)).
-  { intros t x (_ & _ & _ & _ & Hall) Hx. destruct (Hall x Hx) as [(_ & Hin & Hout) Hf]. unfold friction_holds in Hf.
-    apply Rabs_le_between in Hf. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap. lra. }
-  (* a joint above the shoulder is one of the arches that are near enough, *)
-  assert (Hwithin : forall x, 0 <= x < alpha -> 0 <= shoulder_gap delta x eta h p /\
-    0 <= haunch_gap delta x eta h p /\ 0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h).
-  { intros x Hx. destruct (Tmargins x) as (TU & TL & TI & TO).
-    assert (Harches : forall d, 0 < d -> exists t, near d t /\ is_near 1 t /\ 0 <= x <= at_alpha t).
-    { intros d Hd. set (e := Rmin d (Rmin 1 (alpha - x))).
-      assert (He : 0 < e) by (unfold e; repeat apply Rmin_glb_lt; lra). assert (E1 : e <= d) by apply Rmin_l.
-      assert (E2 : e <= 1) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_l]).
-      assert (E3 : e <= alpha - x) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_r]).
-      destruct (Hnear e He) as (t & Ht). exists t. split; [apply (Hnearer e); [lra | easy]|].
-      split; [apply (is_nearer e); [lra | apply Ht]|]. destruct Ht as ((Hclose & _) & _). apply Rabs_def2 in Hclose.
-      lra. }
-    repeat split; [apply (limit_not_negative _ near _ _ TU) | apply (limit_not_negative _ near _ _ TL)
-                  | apply (limit_not_negative _ near _ _ TI) | apply (limit_not_negative _ near _ _ TO)];
-      intros d Hd; destruct (Harches d Hd) as (t & Ht & Ht1 & Hxt); exists t;
-      destruct (Hmargins t x Ht1 Hxt) as (U & L & I & O); now split. }
-  (* and the shoulder is a limit of joints *)
-  assert (Hshoulder : forall f : R -> R, continuity f -> (forall x, 0 <= x < alpha -> 0 <= f x) -> 0 <= f alpha).
-  { intros f Hf Hpos. apply Rnot_lt_le. intros Hneg. destruct (Hf alpha (- f alpha) ltac:(lra)) as (d & Hd & Hc).
-    set (x := Rmax 0 (alpha - d / 2)).
-    assert (Hx : 0 <= x < alpha) by (split; [apply Rmax_l | apply Rmax_lub_lt; lra]).
-    assert (Hx' : alpha - d / 2 <= x) by apply Rmax_r. assert (Hclose : R_dist (f x) (f alpha) < - f alpha).
-    { apply Hc. split; [split; [exact I | lra]|]. simpl. unfold R_dist. apply Rabs_def1; lra. }
-    unfold R_dist in Hclose. apply Rabs_def2 in Hclose. assert (A := Hpos x Hx). lra. }
-  destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
+  assert (Tp : tends _ near at_p p) by its_distance. assert (Ta : tends _ near at_alpha alpha) by its_distance.
+  (* each joint is a limit of joints of the arches *)
   assert (Hall : forall x, 0 <= x <= alpha -> 0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p /\
     0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h).
-  { intros x Hx. destruct (Req_dec x alpha) as [-> | Hne]; [|apply Hwithin; lra].
-    repeat split; [apply (Hshoulder _ CU) | apply (Hshoulder _ CL) | apply (Hshoulder _ CI)
-                  | apply (Hshoulder _ CO)]; intros y Hy; now destruct (Hwithin y Hy) as (A & B & C & D). }
+  { intros x Hx. set (y := fun t => x * / alpha * at_alpha t). assert (Ty : tends _ near y x).
+    { replace x with (x * / alpha * alpha) by (field; lra). now tending. }
+    assert (TS := tends_through _ _ sin y x continuity_sin Ty).
+    assert (TC := tends_through _ _ cos y x continuity_cos Ty).
+    assert (Harches : forall d, 0 < d -> exists t, near d t /\
+      0 <= shoulder_gap delta (y t) (at_eta t) (at_h t) (at_p t) /\
+      0 <= haunch_gap delta (y t) (at_eta t) (at_h t) (at_p t) /\
+      0 <= inward_gap (y t) mu (at_h t) /\ 0 <= outward_gap (y t) mu (at_h t)).
+    { intros d Hd. destruct (Hnear d Hd) as (t & Ht). exists t. split; [easy |].
+      destruct Ht as ((_ & _ & Ha & _ & Hstate) & _). apply (margins_not_negative Hstate).
+      assert (0 <= x * / alpha <= 1).
+      { split; [apply Rdiv_le_0_compat; lra |]. apply (Rmult_le_reg_r alpha); [lra |]. field_simplify; lra. }
+      unfold y. nra. }
+    repeat split;
+      [apply (limit_not_negative _ near (fun t => shoulder_gap delta (y t) (at_eta t) (at_h t) (at_p t)))
+      | apply (limit_not_negative _ near (fun t => haunch_gap delta (y t) (at_eta t) (at_h t) (at_p t)))
+      | apply (limit_not_negative _ near (fun t => inward_gap (y t) mu (at_h t)))
+      | apply (limit_not_negative _ near (fun t => outward_gap (y t) mu (at_h t)))];
+      try (intros d Hd; destruct (Harches d Hd) as (t & Ht & HU & HL & HI & HO); now exists t);
+      unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force, intrados, extrados, fac;
+      simpl; now tending. }
   assert (He : 0 < eta).
   { destruct (Req_dec eta 0) as [E | E]; [exfalso | lra]. assert (Hline : forall x, 0 < x <= alpha -> A x = h + 1).
     { intros x Hx. destruct (Hall x ltac:(lra)) as (U & L & _). destruct (Hall 0 ltac:(lra)) as (U0 & L0 & _).
-      assert (Hv : 0 < 1 - cos x) by (apply versine_positive; lra).
-      unfold shoulder_gap, haunch_gap, extrados, intrados, fac, normal_force in *. rewrite E, cos_0, sin_0 in *.
-      unfold A. apply (Rmult_eq_reg_r (1 - cos x)); [|lra].
+      assert (Hv : 0 < 1 - cos x) by positive.
+      unfold shoulder_gap, haunch_gap, extrados, intrados, fac, normal_force in *.
+      rewrite E, cos_0, sin_0 in *. unfold A. apply (Rmult_eq_reg_r (1 - cos x)); [|lra].
       replace (x * sin x / (1 - cos x) * (1 - cos x)) with (x * sin x) by (field; lra). lra. }
     assert (HPI := PI_RGT_0). assert (Habsurd : alpha = alpha / 2); [|lra]. apply A_injective; try lra.
     rewrite !Hline; lra. }
   split; [easy|]. now apply (stands_by_margins delta alpha eta mu h p).
 Qed.
 
-Theorem limit_of_arches_stands :
-  (forall d, 0 < d -> exists alpha' eta', Rabs (alpha' - alpha) < d /\ Rabs (eta' - eta) < d /\
-     0 < alpha' <= PI /\ 0 < eta' <= 2 /\ arch_stands delta alpha' eta' mu) ->
-  0 < eta /\ arch_stands delta alpha eta mu.
+Theorem limit_of_arches_stands : (forall d, 0 < d -> exists alpha' eta', Rabs (alpha' - alpha) < d /\
+    Rabs (eta' - eta) < d /\ 0 < alpha' <= PI /\ 0 < eta' <= 2 /\ arch_stands delta alpha' eta' mu) -> 0 < eta /\
+  arch_stands delta alpha eta mu.
 Proof.
   intros Hsome. apply (limit_of_bounded_thrusts 1). intros d Hd.
   destruct (Hsome d Hd) as (a & e & Ha & He & Ha' & He' & Hstands).
@@ -227,10 +207,9 @@ Proof.
   - exists (- high). now rewrite Ropp_involutive.
   - exists (- m). split.
     + assert (- high <= m) by (apply Hupper; now rewrite Ropp_involutive).
-      assert (m <= - low) by (apply Hleast; intros y Hy; apply Hlow in Hy; lra).
-      apply Hclosed; [lra |]. intros d Hd. apply Classical_Prop.NNPP. intros Hnone. enough (m <= m - d) by lra.
-      apply Hleast. intros y Hy. apply Rnot_lt_le. intros Hlt. apply Hnone. exists (- y). split; [|easy].
-      assert (y <= m) by (now apply Hupper). apply Rabs_def1; lra.
+      assert (m <= - low) by (apply Hleast; intros y Hy; apply Hlow in Hy; lra). apply Hclosed; [lra |]. intros d Hd.
+      apply NNPP. intros Hnone. enough (m <= m - d) by lra. apply Hleast. intros y Hy. apply Rnot_lt_le. intros Hlt.
+      apply Hnone. exists (- y). split; [|easy]. assert (y <= m) by (now apply Hupper). apply Rabs_def1; lra.
     + intros y Hy. assert (- y <= m) by (apply Hupper; now rewrite Ropp_involutive). lra.
 Qed.
 
@@ -269,11 +248,11 @@ Proof.
   destruct (no_motion_above_the_least delta alpha beta sigma eta eta' mu h p u l v s t)
     as (-> & -> & ->); try easy; try lra; try (apply HN; lra).
   destruct Hmoves as ((_ & _ & _ & Hs0 & Ht0) & (_ & Hbalance) & _ & _ & _ & HI & HO).
-  assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra). assert (HSa : 0 < sin alpha) by (apply sin_gt_0; lra).
-  assert (E : s * sin sigma = t * sin alpha) by lra. assert (Hs1 : 0 < s).
+  assert (0 < sin sigma) by positive. assert (0 < sin alpha) by positive.
+  assert (E : s * sin sigma = t * sin alpha) by lra. assert (0 < s).
   { destruct (Req_dec s 0) as [Z | Z]; [|lra]. rewrite Z, Rmult_0_l in E.
     assert (t = 0) by (apply (factor_zero t (sin alpha)); lra). lra. }
-  assert (Ht1 : 0 < t).
+  assert (0 < t).
   { destruct (Req_dec t 0) as [Z | Z]; [|lra]. rewrite Z, Rmult_0_l in E.
     assert (s = 0) by (apply (factor_zero s (sin sigma)); lra). lra. }
   repeat split; try easy; [apply (Rmult_eq_reg_l s) | apply (Rmult_eq_reg_l t)]; lra.
@@ -286,21 +265,20 @@ Theorem sliding_does_not_see_the_thickness (sigma alpha mu h h' : R) : 0 < sigma
 Proof.
   intros Hs Ha HNs HNa HI HO HI' HO'. destruct (slip_rows_are_scaled sigma mu h h' HNs) as [Hin _].
   destruct (slip_rows_are_scaled alpha mu h h' HNa) as [_ Hout]. assert (E := Hin HI). assert (E' := Hout HO).
-  assert (0 <= normal_force sigma h * inward_gap sigma mu h') by (apply Rmult_le_pos; lra).
-  assert (0 <= normal_force alpha h * outward_gap alpha mu h') by (apply Rmult_le_pos; lra).
+  assert (0 <= normal_force sigma h * inward_gap sigma mu h') by positive.
+  assert (0 <= normal_force alpha h * outward_gap alpha mu h') by positive.
   apply Rle_antisym; apply Rnot_lt_le; intros Hless.
-  - assert (0 < alpha * (h' - h)) by (apply Rmult_lt_0_compat; lra). lra.
-  - assert (0 < sigma * (h - h')) by (apply Rmult_lt_0_compat; lra). lra.
+  - assert (0 < alpha * (h' - h)) by positive. lra.
+  - assert (0 < sigma * (h - h')) by positive. lra.
 Qed.
 
 (** To each thickness and friction belongs one half-angle: narrower arches stand, wider ones do not,
     and there alone the states move. *)
-Theorem one_half_angle (delta eta mu : R) : 0 <= delta <= 1 -> 0 < eta <= 2 -> 0 < mu ->
-  exists alpha, 0 < alpha < PI /\
-    (forall alpha', 0 < alpha' <= PI -> arch_stands delta alpha' eta mu <-> alpha' <= alpha) /\
-    (forall h p, admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p) /\
-    (forall alpha' h p, 0 < alpha' < alpha -> admissible_state delta alpha' eta mu h p ->
-       ~ state_moves delta alpha' eta mu h p).
+Theorem one_half_angle (delta eta mu : R) : 0 <= delta <= 1 -> 0 < eta <= 2 -> 0 < mu -> exists alpha,
+  0 < alpha < PI /\ (forall alpha', 0 < alpha' <= PI -> arch_stands delta alpha' eta mu <-> alpha' <= alpha) /\
+  (forall h p, admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p) /\
+  (forall alpha' h p, 0 < alpha' < alpha -> admissible_state delta alpha' eta mu h p ->
+    ~ state_moves delta alpha' eta mu h p).
 Proof.
   intros Hd He Hmu. assert (HPI := PI_RGT_0).
   destruct (narrow_arch_stands delta eta mu He Hmu) as (alpha0 & Ha0 & Hstands0).
@@ -334,12 +312,11 @@ Qed.
 (** ** Along a way *)
 
 (** Where each arch that stands is followed by some that stand, all do. *)
-Theorem goes_on_standing (delta mu : R) (alpha eta : R -> R) : 0 <= delta <= 1 -> 0 < mu ->
-  (forall t, 0 <= t <= 1 -> (0 < alpha t <= PI /\ continuity_pt alpha t) /\ 0 < eta t <= 2 /\ continuity_pt eta t) ->
-  arch_stands delta (alpha 0) (eta 0) mu ->
-  (forall t, 0 <= t < 1 -> arch_stands delta (alpha t) (eta t) mu ->
-     exists u, t < u /\ forall s, t < s < u -> arch_stands delta (alpha s) (eta s) mu) ->
-  forall t, 0 <= t <= 1 -> arch_stands delta (alpha t) (eta t) mu.
+Theorem goes_on_standing (delta mu : R) (alpha eta : R -> R) : 0 <= delta <= 1 -> 0 < mu -> (forall t, 0 <= t <= 1 ->
+    (0 < alpha t <= PI /\ continuity_pt alpha t) /\ 0 < eta t <= 2 /\ continuity_pt eta t) ->
+  arch_stands delta (alpha 0) (eta 0) mu -> (forall t, 0 <= t < 1 -> arch_stands delta (alpha t) (eta t) mu ->
+    exists u, t < u /\ forall s, t < s < u -> arch_stands delta (alpha s) (eta s) mu) -> forall t, 0 <= t <= 1 ->
+  arch_stands delta (alpha t) (eta t) mu.
 Proof.
   intros Hd Hmu Hway Hfirst Hnext t Ht. set (stands := fun s => arch_stands delta (alpha s) (eta s) mu).
   destruct (completeness (fun y => 0 <= y <= t /\ forall s, 0 <= s <= y -> stands s)) as (T & Hup & Hleast).
@@ -348,7 +325,7 @@ Proof.
   assert (HT : 0 <= T <= t).
   { split; [apply Hup | apply Hleast; intros y Hy; lra]. split; [lra |]. intros s Hs. now replace s with 0 by lra. }
   assert (Hbelow : forall s, 0 <= s < T -> stands s).
-  { intros s Hs. apply Classical_Prop.NNPP. intros Hno. enough (T <= s) by lra. apply Hleast. intros y [Hy Hall].
+  { intros s Hs. apply NNPP. intros Hno. enough (T <= s) by lra. apply Hleast. intros y [Hy Hall].
     apply Rnot_lt_le. intros Hlt. apply Hno, Hall. lra. }
   assert (Hat : stands T).
   { destruct (Req_dec T 0) as [-> | Hne]; [easy |]. destruct (Hway T ltac:(lra)) as ((Ha & Ca) & He & Ce).

@@ -5,9 +5,8 @@
     move an arch there. And from a point with more friction and less thickness to one with less and more the modes
     come in one order, so that between two points of one mode there is no other. *)
 
-From Coq Require Import Lia.
-From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
-From Couplet Require Import Mechanisms Room Modes Attained Order Map.
+From Coq Require Import Lia Compare_dec.
+From Couplet Require Import Overturning Room Modes Attained Order Map.
 
 (** The distances of the shoulder from the extrados and of a joint from the intrados, added up: no
     moment of the crown changes it. *)
@@ -27,9 +26,8 @@ Proof.
   intros Ha Hmu Hh HO. destruct (Req_dec (outward_gap alpha mu h) 0) as [E | E].
   { exists alpha. split; [lra | easy]. }
   assert (Hcontinuous : continuity (fun x => - outward_gap x mu h))
-    by (unfold outward_gap, normal_force, shear_force; reg). assert (Hpi : outward_gap PI mu h < 0).
-  { unfold outward_gap, normal_force, shear_force. rewrite cos_PI, sin_PI.
-    assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra. }
+    by (unfold outward_gap, normal_force, shear_force; reg). assert (outward_gap PI mu h < 0).
+  { unfold outward_gap, normal_force, shear_force. rewrite cos_PI, sin_PI. assert (0 < mu * h) by positive. lra. }
   destruct (IVT (fun x => - outward_gap x mu h) alpha PI Hcontinuous ltac:(lra) ltac:(lra) ltac:(lra))
     as (x & Hx & Ex). exists x. destruct (Req_dec x PI) as [-> | Hne]; lra.
 Qed.
@@ -68,8 +66,8 @@ Proof.
   assert (Hstands := rotational_state_stands delta alpha beta eta ltac:(lra) ltac:(lra) ltac:(lra) He Hstate).
   fold h in Hstands. destruct Hstate as [_ H4]. assert (Hlever := lever_of_lower_thrust_positive beta eta ltac:(lra)).
   assert (E2 : h = h_lower delta beta eta) by easy. apply lower_thrust_cleared in E2; [|lra].
-  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra). fold h in H4.
-  apply whole_thrust_cleared in H4; [|lra|lra]. split; [easy|]. split; [unfold crown_gap, p; ring|].
+  assert (Hv : 0 < 1 - cos alpha) by positive. fold h in H4. apply whole_thrust_cleared in H4; [|lra|lra].
+  split; [easy|]. split; [unfold crown_gap, p; ring|].
   split; [unfold haunch_gap, p, normal_force, extrados, intrados; lra|].
   split; [unfold shoulder_gap, p, normal_force, extrados; lra|]. split; [apply Hstands; lra|].
   assert (CN : continuity (fun x => normal_force x h)) by (unfold normal_force; reg).
@@ -79,12 +77,11 @@ Proof.
   destruct (continuity_ab_min _ 0 alpha ltac:(lra) (fun x _ => CN x)) as (xn & Hn & Hxn).
   destruct (continuity_ab_maj _ 0 alpha ltac:(lra) (fun x _ => CT x)) as (xt & Ht & Hxt).
   destruct (Hstands xn Hxn) as [Hpos _]. set (n := normal_force xn h) in *. set (t := Rabs (shear_force xt h)) in *.
-  assert (Ht0 : 0 <= t) by apply Rabs_pos. assert (Hquotient : 0 <= t / n) by (apply Rdiv_le_0_compat; lra).
-  exists (t / n + 1). split; [lra|]. intros x Hx. destruct (Hstands x Hx) as [HN Hin]. split.
+  assert (Ht0 : 0 <= t) by apply Rabs_pos. assert (Hquotient : 0 <= t / n) by positive. exists (t / n + 1).
+  split; [lra|]. intros x Hx. destruct (Hstands x Hx) as [HN Hin]. split.
   - unfold p. rewrite Rmult_comm. now apply joint_stands_iff_thrust_inside.
-  - unfold friction_holds. assert (A := Ht x Hx). assert (B := Hn x Hx). apply Rle_trans with ((t / n + 1) * n).
-    + replace ((t / n + 1) * n) with (t + n) by (field; lra). lra.
-    + apply Rmult_le_compat_l; lra.
+  - unfold friction_holds. assert (A := Ht x Hx). assert (B := Hn x Hx). apply Rle_trans with ((t / n + 1) * n);
+      [replace ((t / n + 1) * n) with (t + n) by (field; lra); lra | apply Rmult_le_compat_l; lra].
 Qed.
 
 (** ** A point of the map *)
@@ -174,9 +171,8 @@ Qed.
 Theorem mode_under_a_crown : (rank m < 2)%nat -> (mu_ss alpha0 (h_lower delta beta0 eta) < mu -> m = RRR) /\
   (mu < mu_ss alpha0 (h_lower delta beta0 eta) -> m = SRR).
 Proof.
-  intros Hr. destruct (shoulder_of_rotation Hr) as [H1 H2]. destruct m; simpl in Hr; try lia.
-  - specialize (H1 eq_refl). split; [easy | lra].
-  - specialize (H2 eq_refl). split; [lra | easy].
+  intros Hr. destruct (shoulder_of_rotation Hr) as [H1 H2]. destruct m; simpl in Hr; try lia;
+    [specialize (H1 eq_refl); split; [easy | lra] | specialize (H2 eq_refl); split; [lra | easy]].
 Qed.
 
 End Rotation.
@@ -198,7 +194,7 @@ Proof.
   assert (E : h = hs) by (apply mu_is_injective; lra). subst h. assert (Hgaps := margins_not_negative S).
   assert (HL := haunch_not_negative S). destruct (Hgaps alpha ltac:(lra)) as (HU & _ & _ & HO).
   assert (Hwithin := one_shoulder_just_slides alpha alphaP mu hs opening HaP rough Hh HO EOP).
-  destruct (Compare_dec.le_lt_dec 5 (rank m)) as [R5 | R5].
+  destruct (le_lt_dec 5 (rank m)) as [R5 | R5].
   - (* pure sliding *)
     destruct m; simpl in R5; try lia. simpl in L. assert (Esame : alphaP = alpha).
     { apply Rle_antisym; [|easy]. apply (one_shoulder_just_slides alphaP alpha mu hs); easy || lra || tauto. }
@@ -211,7 +207,7 @@ Proof.
       - rewrite Z in EL |- *. assert (K0 := haunch_at_crown delta alpha eta hs p opening thickness HL EL).
         destruct (Req_dec betaT 0) as [Z' | Z']; [easy | exfalso].
         assert (Hcot := times_cotangent_below_one betaT ltac:(lra)).
-        assert (0 <= intrados eta * (1 - betaT * cot betaT)) by (apply Rmult_le_pos; unfold intrados; lra). nra.
+        assert (0 <= intrados eta * (1 - betaT * cot betaT)) by positive. nra.
       - assert (T := haunch_of_wide_arch delta alpha eta hs p beta opening thickness HL EL ltac:(lra)).
         destruct (Req_dec eta 2) as [E2 | E2]; [unfold intrados in T; rewrite E2 in T, Hfac; lra|].
         assert (Hin : 0 < intrados eta) by (unfold intrados; lra). destruct (Req_dec betaT 0) as [Z' | Z'].
@@ -274,30 +270,26 @@ Proof.
     assert (HN1 := compressed S1 Hd Ha1 ltac:(lra) ltac:(lra) alpha1 ltac:(lra)).
     destruct (slip_rows_are_scaled alpha1 mu1 h1 h2 HN1) as [_ Hrow]. specialize (Hrow EO1).
     assert (Hneg : outward_gap alpha1 mu1 h2 < 0).
-    { apply Rnot_le_lt. intros H.
-      assert (0 <= normal_force alpha1 h1 * outward_gap alpha1 mu1 h2) by (apply Rmult_le_pos; lra).
-      assert (0 < alpha1 * (h2 - h1)) by (apply Rmult_lt_0_compat; lra). lra. }
+    { apply Rnot_le_lt. intros H. assert (0 <= normal_force alpha1 h1 * outward_gap alpha1 mu1 h2) by positive.
+      assert (0 < alpha1 * (h2 - h1)) by positive. lra. }
     (* with the larger thrust, too, it is compressed *)
     assert (HNpos : 0 <= normal_force alpha1 h2).
-    { apply Rnot_lt_le. intros HNneg. assert (HS : 0 < sin alpha1) by (apply sin_gt_0; lra).
-      assert (Hcos : cos alpha1 < 0).
-      { apply Rnot_le_lt. intros H. assert (0 <= h2 * cos alpha1) by (apply Rmult_le_pos; lra).
-        assert (0 < alpha1 * sin alpha1) by (apply Rmult_lt_0_compat; lra). unfold normal_force in HNneg. lra. }
-      assert (0 < h2 * sin alpha1) by (apply Rmult_lt_0_compat; lra).
-      assert (0 < mu2 * - normal_force alpha1 h2) by (apply Rmult_lt_0_compat; lra).
-      assert (0 < alpha1 * - cos alpha1) by (apply Rmult_lt_0_compat; lra). unfold outward_gap, shear_force in Hgap.
-      lra. }
-    assert (0 <= (mu1 - mu2) * normal_force alpha1 h2) by (apply Rmult_le_pos; lra). unfold outward_gap in *. lra. }
+    { apply Rnot_lt_le. intros HNneg. assert (HS : 0 < sin alpha1) by positive. assert (Hcos : cos alpha1 < 0).
+      { apply Rnot_le_lt. intros H. assert (0 <= h2 * cos alpha1) by positive.
+        assert (0 < alpha1 * sin alpha1) by positive. unfold normal_force in HNneg. lra. }
+      assert (0 < h2 * sin alpha1) by positive. assert (0 < mu2 * - normal_force alpha1 h2) by positive.
+      assert (0 < alpha1 * - cos alpha1) by positive. unfold outward_gap, shear_force in Hgap. lra. }
+    assert (0 <= (mu1 - mu2) * normal_force alpha1 h2) by positive. unfold outward_gap in *. lra. }
   assert (HL2 := haunch_not_negative S2). assert (Hright : b2 < PI / 2).
   { destruct (Req_dec b2 0) as [E | E]; [lra|].
     assert (Htouch := haunch_of_wide_arch delta alpha2 eta2 h2 p2 b2 Ha2 ltac:(lra) HL2 EL2 ltac:(lra)).
     assert (Hfac := centroids_positive delta eta2 ltac:(lra)). apply Rnot_le_lt. intros H.
-    assert (HS : 0 < sin b2) by (apply sin_gt_0; lra). assert (Hcos : cos b2 <= 0) by (apply cos_le_0; lra).
+    assert (HS : 0 < sin b2) by positive. assert (Hcos : cos b2 <= 0) by (apply cos_le_0; lra).
     assert (Hcot : b2 * cot b2 <= 0).
     { unfold cot. replace (b2 * (cos b2 / sin b2)) with (- (b2 * - cos b2 / sin b2)) by (field; lra).
-      assert (0 <= b2 * - cos b2 / sin b2) by (apply Rdiv_le_0_compat; [apply Rmult_le_pos|]; lra). lra. }
-    unfold intrados in Htouch. assert (0 <= (1 - eta2 / 2) * - (b2 * cot b2)) by (apply Rmult_le_pos; lra).
-    assert (0 <= (1 - eta2 / 2) * h2) by (apply Rmult_le_pos; lra). lra. }
+      assert (0 <= b2 * - cos b2 / sin b2) by positive. lra. }
+    unfold intrados in Htouch. assert (0 <= (1 - eta2 / 2) * - (b2 * cot b2)) by positive.
+    assert (0 <= (1 - eta2 / 2) * h2) by positive. lra. }
   assert (Hroom := Hgain' h1 alphaP h2 b2 ltac:(lra) ltac:(lra) M1 EO1 M2 ltac:(lra) EOP ltac:(lra)).
   destruct (margins_not_negative S1 alpha1 ltac:(lra)) as (U1 & _).
   destruct (margins_not_negative S1 b2 ltac:(lra)) as (_ & L1 & _).
@@ -323,12 +315,11 @@ Proof.
   assert (Hless12 : delta / 12 * (2 * eta1 + 2 * eta2 + eta1 * eta2) <= 1).
   { assert (2 * eta1 + 2 * eta2 + eta1 * eta2 <= 12) by nra.
     assert (delta * (2 * eta1 + 2 * eta2 + eta1 * eta2) <= 1 * 12) by (apply Rmult_le_compat; nra). lra. }
-  assert (0 <= (cos b2 - cos alpha2) * (1 - delta / 12 * (2 * eta1 + 2 * eta2 + eta1 * eta2)))
-    by (apply Rmult_le_pos; lra).
+  assert (0 <= (cos b2 - cos alpha2) * (1 - delta / 12 * (2 * eta1 + 2 * eta2 + eta1 * eta2))) by positive.
   assert (0 <= (eta2 - eta1) * (2 * normal_force b2 h2 + (cos b2 - cos alpha2) *
-    (1 - delta / 12 * (2 * eta1 + 2 * eta2 + eta1 * eta2)))) by (apply Rmult_le_pos; lra).
-  assert (0 < (2 + eta2) * shoulder_room delta alpha2 b2 eta1 h2) by (apply Rmult_lt_0_compat; lra).
-  rewrite Hzero, Rmult_0_r in Hgrows. lra.
+    (1 - delta / 12 * (2 * eta1 + 2 * eta2 + eta1 * eta2)))) by positive.
+  assert (0 < (2 + eta2) * shoulder_room delta alpha2 b2 eta1 h2) by positive. rewrite Hzero, Rmult_0_r in Hgrows.
+  lra.
 Qed.
 
 (** From more friction and less thickness to less and more the modes come in one order, *)
@@ -339,10 +330,9 @@ Theorem modes_in_order (delta alpha1 eta1 mu1 alpha2 eta2 mu2 : R) (m1 m2 : mode
 Proof.
   intros Hd Hgrows Hsmall Hgain Ha1 Ha2 He He2 Hmu Hstrict M1 M2. destruct (Req_dec mu1 mu2) as [Emu | Emu].
   { rewrite Emu in M1. apply (modes_of_a_column delta mu2 alpha1 eta1 alpha2 eta2); easy || lra. }
-  destruct (Compare_dec.le_lt_dec 2 (rank m2)) as [R2 | R2].
-  - destruct (Compare_dec.le_lt_dec 5 (rank m2)) as [R5 | R5]; [destruct m1, m2; simpl in *; lia|].
-    destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1]; [|lia].
-    destruct (Compare_dec.le_lt_dec 5 (rank m1)) as [R1' | R1'].
+  destruct (le_lt_dec 2 (rank m2)) as [R2 | R2].
+  - destruct (le_lt_dec 5 (rank m2)) as [R5 | R5]; [destruct m1, m2; simpl in *; lia|].
+    destruct (le_lt_dec 2 (rank m1)) as [R1 | R1]; [|lia]. destruct (le_lt_dec 5 (rank m1)) as [R1' | R1'].
     + exfalso. destruct m1; simpl in R1'; try lia.
       now apply (sliding_goes_on delta alpha1 eta1 mu1 alpha2 eta2 mu2 m2 Hd Hgain Ha1 Ha2 He He2 (proj1 Hmu)
                    ltac:(lra) R2 R5 M1).
@@ -354,7 +344,7 @@ Proof.
       destruct (haunch_falls S1 S2 Hd Ha1 ltac:(lra) ltac:(lra) Ha2 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) s1 b1 s2 b2 Hs1 EI1 (or_introl EU1)
                   Hs2 EI2 (or_introl EU2) Hb1 EL1 Hb2 EL2) as (Hfall & Hfalls & Hslip). apply Nat.nlt_ge.
       intros Hless. destruct m1, m2; simpl in R1, R1', R2, R5, Hless; try lia; simpl in L1, L2; lra.
-  - destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1].
+  - destruct (le_lt_dec 2 (rank m1)) as [R1 | R1].
     + destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1). destruct M2 as (h2 & p2 & b2 & s2 & S2 & L2).
       destruct (slip_of_mode R1 L1) as [Hs1 EI1]. destruct (crown_of_mode R2 L2) as (Hb2 & EC2 & EL2).
       destruct (crown_turns_first S1 S2 Hd Ha1 ltac:(lra) ltac:(lra) Ha2 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
@@ -367,8 +357,8 @@ Proof.
         as (a1 & Ha1' & T1 & E1 & _ & _ & F1). destruct (Req_dec eta1 eta2) as [Eeta | Eeta].
       * rewrite <- Eeta in *. assert (Hthin := crown_is_thin S1 Hd Ha1 ltac:(lra) ltac:(lra) b1 Hb1 EC1 EL1).
         destruct (shoulder_of_rotation delta alpha2 eta1 mu2 RRR Hd Ha2 ltac:(lra) ltac:(lra) M2 a1 b1
-                    ltac:(lra) ltac:(lra) Hthin T1 ltac:(simpl; lia)) as [G2 _].
-        specialize (G2 eq_refl). rewrite <- E1 in G2. lra.
+                    ltac:(lra) ltac:(lra) Hthin T1 ltac:(simpl; lia)) as [G2 _]. specialize (G2 eq_refl).
+        rewrite <- E1 in G2. lra.
       * apply (shoulder_turns_first delta alpha1 eta1 mu1 h1 p1 alpha2 eta2 mu2 h2 p2 b1 b2); easy || lra.
 Qed.
 

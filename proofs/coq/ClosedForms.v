@@ -1,14 +1,10 @@
 (** * The closed forms (9)-(11) over the complex numbers
 
-    Each printed formula is a root of its cubic (7), for every choice of the square root (12) (any [root] with
-    [root^2] equal to the radicand), for every choice of the cube root (any [u] with [u^3] equal to the printed base,
-    not 0) and for both printed signs.
-
-    The factors [1 + i sqrt 3], [1 - i sqrt 3] are cube roots of -8; with the third one, -2, which the paper does not
-    print, one gets the third root, and the cubic is the product of the three linear factors: nothing is lost.
-
-    [f], [g], [S] are any complex numbers here, with [S] and, for (9), [3 g - 2 S] not 0; in the arch both are
-    positive, and so is what could make [u] vanish in (9) and (10). *)
+    Each printed formula is a root of its cubic (7), for either square root (12), for every cube root [u] of the printed
+    base, not 0, and for both printed signs. The factors [1 + i sqrt 3], [1 - i sqrt 3] are cube roots of -8; with the
+    third one, -2, which the paper does not print, one gets the third root, and the cubic is the product of the three
+    linear factors: nothing is lost. [f], [g], [S] are any complex numbers here, with [S] and, for (9), [3 g - 2 S] not
+    0; in the arch both are positive, and so is what could make [u] vanish in (9) and (10). *)
 
 From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
@@ -37,12 +33,8 @@ Qed.
 Lemma C_numerals : ring_morph (RtoC 0) (RtoC 1) Cplus Cmult Cminus Copp (@eq C)
   0%Z 1%Z Z.add Z.mul Z.sub Z.opp Z.eqb (fun z => RtoC (IZR z)).
 Proof.
-  constructor; try easy; intros.
-  - now rewrite plus_IZR, RtoC_plus.
-  - now rewrite minus_IZR, RtoC_minus.
-  - now rewrite mult_IZR, RtoC_mult.
-  - now rewrite opp_IZR, RtoC_opp.
-  - now apply Z.eqb_eq in H as ->.
+  constructor; try easy; intros; [now rewrite plus_IZR, RtoC_plus | now rewrite minus_IZR, RtoC_minus
+    | now rewrite mult_IZR, RtoC_mult | now rewrite opp_IZR, RtoC_opp | now apply Z.eqb_eq in H as ->].
 Qed.
 
 Ltac C_numeral t :=
@@ -322,9 +314,8 @@ Qed.
 
 (** ** In the arch
 
-    For a haunch between crown and springing [S], [3 g - 2 S] and, for (9) and (10), the cube root
-    do not vanish, whatever square root is chosen; and a real value of a formula is a root of the
-    real cubic, so that (10) gives a thickness for which (2) and (5) agree. *)
+    [S], [3 g - 2 S] and, for (9) and (10), the cube root do not vanish, whatever square root is chosen; and a real
+    value of a formula is a root of the real cubic, so that (10) gives a thickness for which (2) and (5) agree. *)
 
 Lemma cube_root_9_nonzero (f g S root u : C) : (f + g) ^ 2 - f * (g + 2 * S) <> 0 -> root ^ 2 = radicand_C f g S ->
   u ^ 3 = base_A f g S root -> u <> 0.
@@ -353,21 +344,21 @@ Open Scope R_scope.
 Lemma numerator_9_positive (beta : R) : 0 < beta < PI ->
   0 < (f_of beta + g_of beta) ^ 2 - f_of beta * (g_of beta + 2 * sin beta).
 Proof.
-  intros Hb. assert (H3 := three_g_minus_2_S_positive beta Hb). assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
+  intros Hb. assert (H3 := three_g_minus_2_S_positive beta Hb). assert (HS : 0 < sin beta) by positive.
   assert (Hg := g_positive beta (proj1 Hb)). set (f := f_of beta) in *. set (g := g_of beta) in *.
   set (S := sin beta) in *.
   replace ((f + g) ^ 2 - f * (g + 2 * S))
     with ((f + (g - 2 * S) / 2) ^ 2 + (g + 2 * S) * (3 * g - 2 * S) / 4) by field.
   assert (0 <= (f + (g - 2 * S) / 2) ^ 2) by apply pow2_ge_0.
-  assert (0 < (g + 2 * S) * (3 * g - 2 * S)) by (apply Rmult_lt_0_compat; lra). lra.
+  assert (0 < (g + 2 * S) * (3 * g - 2 * S)) by positive. lra.
 Qed.
 
 Lemma numerator_10_positive (beta : R) : 0 < beta < PI ->
   0 < (f_of beta + g_of beta) ^ 2 + 4 * sin beta * (g_of beta - sin beta).
 Proof.
-  intros Hb. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra). assert (HgS : 0 < g_of beta - sin beta).
+  intros Hb. assert (0 < sin beta) by positive. assert (0 < g_of beta - sin beta).
   { unfold g_of. assert (sin beta < beta) by (apply sin_lt_x; lra). destruct (Rle_lt_dec beta (PI / 2)) as [Hc | Hc].
-    - assert (0 <= cos beta) by (apply cos_ge_0; lra). nra.
+    - assert (0 <= cos beta) by positive. nra.
     - assert (HPI := PI2_3_2). assert (Hcircle := circle beta). destruct (SIN_bound beta). nra. }
   assert (0 <= (f_of beta + g_of beta) ^ 2) by apply pow2_ge_0. nra.
 Qed.

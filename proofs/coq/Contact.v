@@ -1,17 +1,13 @@
 (** * The state on the whole half arch, and no thinner arch
 
-    The printed equations fix the line of thrust at three joints.  Here:
-    - a purely rotational state (2), (4), (5) is admissible at **every** joint: compression, and the
-      line of thrust between intrados and extrados;
-    - **no thinner arch stands**, for any thrust and any place of it in the crown, without asking
-      anything of friction;
-    - **every thicker arch stands**, up to the physical limit, with the same thrust.
+    The printed equations fix the line of thrust at three joints. A purely rotational state (2), (4), (5) is admissible
+    at **every** joint; **no thinner arch stands**, for any thrust and any place of it in the crown, without asking
+    anything of friction; **every thicker arch stands**, up to the physical limit, with the same thrust. So the
+    thickness of the state is the least one, and **each half-angle has at most one rotational state**. All of it rests
+    on the statics only, for any weight [0 <= delta <= 1].
 
-    So the thickness of the state is the least one, exactly, and **each half-angle has at most one
-    rotational state**.  All of it rests on the statics only, for any weight [0 <= delta <= 1].
-
-    [p = h (1 + e0)] is the moment of the crown's thrust about the centre; for given [eta] the
-    conditions are linear in [(h, p)]. *)
+    [p = h (1 + e0)] is the moment of the crown's thrust about the centre; for given [eta] the conditions are linear in
+    [(h, p)]. *)
 
 From Couplet Require Import Moments Cubics Sliding Joining.
 
@@ -36,13 +32,12 @@ Lemma times_cosine_below_sine (x : R) : 0 < x < PI -> x * cos x < sin x.
 Proof.
   intros Hx. destruct (MVT_cor2 (fun t => sin t - t * cos t) (fun t => t * sin t) 0 x) as (c & Hc & Hin); [lra | |].
   - intros c Hc. auto_derive; [easy | ring].
-  - rewrite sin_0, Rmult_0_l in Hc. assert (0 < sin c) by (apply sin_gt_0; lra).
-    assert (0 < c * sin c * (x - 0)) by (repeat apply Rmult_lt_0_compat; lra). lra.
+  - rewrite sin_0, Rmult_0_l in Hc. assert (0 < sin c) by positive. assert (0 < c * sin c * (x - 0)) by positive. lra.
 Qed.
 
 Lemma times_cotangent_below_one (x : R) : 0 < x < PI -> x * cot x < 1.
 Proof.
-  intros Hx. assert (HS : 0 < sin x) by (apply sin_gt_0; lra). assert (H := times_cosine_below_sine x Hx).
+  intros Hx. assert (HS : 0 < sin x) by positive. assert (H := times_cosine_below_sine x Hx).
   apply (Rmult_lt_reg_r (sin x)); [easy|]. unfold cot. field_simplify; lra.
 Qed.
 
@@ -50,10 +45,10 @@ Theorem times_cotangent_falls (a b : R) : 0 < a -> a < b -> b < PI -> b * cot b 
 Proof.
   intros Ha Hab Hb.
   destruct (MVT_cor2 (fun x => x * cot x) (fun x => (sin x * cos x - x) / sin x ^ 2) a b Hab) as (c & Hc & Hin).
-  { intros c Hc. assert (HS : sin c <> 0) by (apply Rgt_not_eq, sin_gt_0; lra). unfold cot. auto_derive; [exact HS|].
+  { intros c Hc. assert (HS : sin c <> 0) by positive. unfold cot. auto_derive; [exact HS|].
     transitivity ((sin c * cos c - c * (sin c ^ 2 + cos c ^ 2)) / sin c ^ 2); [|rewrite circle]; field; exact HS. }
-  assert (HS : 0 < sin c) by (apply sin_gt_0; lra). assert (sin c < c) by (apply sin_lt_x; lra).
-  destruct (COS_bound c). assert (0 < (c - sin c * cos c) / sin c ^ 2) by (apply Rdiv_lt_0_compat; nra). nra.
+  assert (0 < sin c) by positive. assert (sin c < c) by (apply sin_lt_x; lra).
+  destruct (COS_bound c). assert (0 < (c - sin c * cos c) / sin c ^ 2) by positive. nra.
 Qed.
 
 Lemma times_cotangent_injective (a b : R) : 0 < a < PI -> 0 < b < PI -> a * cot a = b * cot b -> a = b.
@@ -64,8 +59,8 @@ Qed.
 
 (** ** The shape of the margins
 
-    The margins at extrados and intrados are, up to constants, [margin] with [a = extrados eta] and
-    minus [margin] with [a = intrados eta], [m = fac] both times.  It first rises and then falls. *)
+    The margins at extrados and intrados are, up to constants, [margin] and minus [margin] with these as [a] and
+    [m = fac].  It first rises and then falls. *)
 
 Section Shape.
 
@@ -82,15 +77,14 @@ Proof.
   intros Hx Hxy Hy. set (slope := fun t => a * (sin t * (1 - h) + t * cos t) - m * sin t).
   destruct (MVT_cor2 margin slope x y Hxy) as (c & Hc & Hin).
   { intros c Hc. unfold margin, normal_force, slope. auto_derive; [easy | ring]. }
-  exists c. split; [easy|]. rewrite Hc. unfold slope, direction, cot. field. apply Rgt_not_eq, sin_gt_0; lra.
+  exists c. split; [easy|]. rewrite Hc. unfold slope, direction, cot. field. positive.
 Qed.
 
 Lemma margin_rises (x y : R) : 0 <= x -> x < y -> y < PI -> 0 <= direction y ->
   margin x <= margin y /\ (0 < a -> margin x < margin y).
 Proof.
   intros Hx Hxy Hy Hdir. destruct (margin_increment x y Hx Hxy Hy) as (c & Hin & Hc).
-  assert (HS : 0 < sin c * (y - x)) by (apply Rmult_lt_0_compat; [apply sin_gt_0 |]; lra).
-  assert (y * cot y < c * cot c) by (apply times_cotangent_falls; lra).
+  assert (0 < sin c * (y - x)) by positive. assert (y * cot y < c * cot c) by (apply times_cotangent_falls; lra).
   split; [assert (0 <= direction c) by (unfold direction in *; nra); nra |]. intros Ha.
   assert (0 < direction c) by (unfold direction in *; nra). nra.
 Qed.
@@ -99,8 +93,7 @@ Lemma margin_falls (x y : R) : 0 < x -> x < y -> y < PI -> direction x <= 0 ->
   margin y <= margin x /\ (0 < a -> margin y < margin x).
 Proof.
   intros Hx Hxy Hy Hdir. destruct (margin_increment x y (Rlt_le _ _ Hx) Hxy Hy) as (c & Hin & Hc).
-  assert (HS : 0 < sin c * (y - x)) by (apply Rmult_lt_0_compat; [apply sin_gt_0 |]; lra).
-  assert (c * cot c < x * cot x) by (apply times_cotangent_falls; lra).
+  assert (0 < sin c * (y - x)) by positive. assert (c * cot c < x * cot x) by (apply times_cotangent_falls; lra).
   split; [assert (direction c <= 0) by (unfold direction in *; nra); nra |]. intros Ha.
   assert (direction c < 0) by (unfold direction in *; nra). nra.
 Qed.
@@ -109,7 +102,7 @@ Qed.
 Lemma margin_falls_from_crown (x : R) : a * (2 - h) <= m -> 0 <= x < PI -> margin x <= margin 0.
 Proof.
   intros Haway Hx. destruct (Req_dec x 0) as [-> | Hne]; [lra|].
-  destruct (margin_increment 0 x) as (c & Hin & Hc); try lra. assert (0 < sin c) by (apply sin_gt_0; lra).
+  destruct (margin_increment 0 x) as (c & Hin & Hc); try lra. assert (0 < sin c) by positive.
   assert (Hk := times_cotangent_below_one c ltac:(lra)). assert (direction c <= 0) by (unfold direction; nra).
   assert (sin c * direction c <= 0) by nra. nra.
 Qed.
@@ -128,9 +121,8 @@ Qed.
 Lemma margin_largest_where_stationary (x y : R) : 0 < x < PI -> 0 <= y < PI -> direction x = 0 ->
   margin y <= margin x.
 Proof.
-  intros Hx Hy Hdir. destruct (Rtotal_order y x) as [H | [-> | H]]; [|lra|].
-  - apply margin_rises; lra.
-  - apply margin_falls; lra.
+  intros Hx Hy Hdir. destruct (Rtotal_order y x) as [H | [-> | H]];
+    [apply margin_rises; lra | lra | apply margin_falls; lra].
 Qed.
 
 End Shape.
@@ -167,7 +159,7 @@ Qed.
 Theorem rotational_thrust_positive (delta alpha beta eta : R) : 0 < beta < PI -> 0 < eta < 2 ->
   rotational_state delta alpha beta eta -> 0 < h_lower delta beta eta.
 Proof.
-  intros Hb He [H25 _]. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
+  intros Hb He [H25 _]. assert (HS : 0 < sin beta) by positive.
   assert (Hk : 0 < g_of beta - f_of beta) by (apply g_minus_f_positive; lra).
   assert (Hh : 2 * eta * sin beta * h_lower delta beta eta = (g_of beta - f_of beta) * (2 - eta)).
   { apply (haunch_relation delta beta eta (h_lower delta beta eta)); try easy; try lra.
@@ -184,13 +176,12 @@ Proof.
   intros Hd Hb Ha He Hstate h x Hx. assert (Hh := rotational_thrust_positive delta alpha beta eta Hb He Hstate).
   fold h in Hh. destruct Hstate as [H25 H24].
   assert (Hfac : 1 <= fac delta eta) by (now apply centroid_factor_at_least_1).
-  assert (Hversine : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  assert (H2 : h = h_lower delta beta eta) by easy.
+  assert (Hversine : 0 < 1 - cos alpha) by positive. assert (H2 : h = h_lower delta beta eta) by easy.
   apply lower_thrust_cleared in H2; [|apply Rgt_not_eq, lever_of_lower_thrust_positive; lra].
   apply whole_thrust_cleared in H24; [fold h in H24 | lra | lra].
   assert (Hshoulder : h * extrados eta + fac delta eta * (1 - cos alpha) = extrados eta * normal_force alpha h)
     by (unfold extrados, normal_force; lra).
-  assert (HNalpha : 0 < normal_force alpha h) by (unfold extrados in *; nra).
+    assert (HNalpha : 0 < normal_force alpha h) by (unfold extrados in *; nra).
   assert (HN : 0 < normal_force x h) by (apply (normal_force_positive alpha); lra). split; [easy|].
   apply joint_stands_iff_thrust_inside; [easy|]. split; [lra|]. split.
   - apply (intrados_safe delta beta); try easy; [|lra]. unfold intrados, extrados, normal_force. lra.
@@ -212,7 +203,7 @@ Proof. unfold shoulder_gap, crown_gap. rewrite normal_force_at_crown, cos_0. rin
 Lemma centroids_move_less (delta eta eta' : R) : 0 <= delta <= 1 -> 0 < eta < eta' -> eta' <= 2 ->
   0 < 12 - delta * (2 * (eta + eta') + eta * eta').
 Proof.
-  intros Hd He He'. set (x := 2 * (eta + eta') + eta * eta'). assert (Hx : 0 < x < 12) by (unfold x; split; nra). nra.
+  intros Hd He He'. set (x := 2 * (eta + eta') + eta * eta'). assert (0 < x < 12) by (unfold x; split; nra). nra.
 Qed.
 
 (** What a joint bears it bears in a thicker arch, up to the physical limit, *)
@@ -223,9 +214,8 @@ Proof.
   assert (Hless := centroids_move_less delta eta eta' Hd ltac:(lra) He'). assert (HV := COS_bound beta).
   unfold joint_stands, intrados, extrados, fac in *. set (V := 1 - cos beta) in *. assert (0 <= V) by (unfold V; lra).
   split; [easy | split].
-  - assert (0 <= delta * (eta' * eta' - eta * eta) * V) by (repeat apply Rmult_le_pos; nra). nra.
-  - assert (0 <= (eta' - eta) * (12 - delta * (2 * (eta + eta') + eta * eta')) * V)
-      by (repeat apply Rmult_le_pos; lra). nra.
+  - assert (0 <= delta * (eta' * eta' - eta * eta) * V) by positive. nra.
+  - assert (0 <= (eta' - eta) * (12 - delta * (2 * (eta + eta') + eta * eta')) * V) by positive. nra.
 Qed.
 
 (** and beside the crown it has room there. *)
@@ -233,21 +223,19 @@ Lemma room_if_thicker (delta x eta eta' h p : R) : 0 <= delta <= 1 -> 0 < eta < 
   0 < x < PI -> joint_stands delta x eta h p -> 0 < haunch_gap delta x eta' h p /\ 0 < shoulder_gap delta x eta' h p.
 Proof.
   intros Hd He He' Hp Hx (HN & Hin & Hout). assert (Hless := centroids_move_less delta eta eta' Hd He He').
-  assert (0 < 1 - cos x) by (apply versine_positive; lra).
+  assert (0 < 1 - cos x) by positive.
   unfold haunch_gap, shoulder_gap, intrados, extrados, fac in *. set (V := 1 - cos x) in *. split.
-  - assert (0 <= delta * (eta' * eta' - eta * eta) * V) by (repeat apply Rmult_le_pos; nra).
-    assert (0 <= delta * (eta' * eta') * V) by (repeat apply Rmult_le_pos; nra). destruct HN as [HN | HN]; nra.
-  - assert (0 < (eta' - eta) * (12 - delta * (2 * (eta + eta') + eta * eta')) * V)
-      by (repeat apply Rmult_lt_0_compat; lra). nra.
+  - assert (0 <= delta * (eta' * eta' - eta * eta) * V) by positive.
+    assert (0 <= delta * (eta' * eta') * V) by positive. destruct HN as [HN | HN]; nra.
+  - assert (0 < (eta' - eta) * (12 - delta * (2 * (eta + eta') + eta * eta')) * V) by positive. nra.
 Qed.
 
 (** ** No thinner arch stands
 
-    What is left to the extrados at the crown, to the intrados at the haunch and to the extrados at
-    the shoulder must not be negative.  Added with the rotations of a collapse mechanism as
-    multipliers, [a] at the crown, [c] at the shoulder and [a + c] at the haunch, the three are free
-    of [p]; the mechanism's sliding joint, if any, bounds the thrust on the side that matters.  The
-    sum is 0 at the thickness of the state, and would be positive there if a thinner arch stood. *)
+    What is left to the extrados at crown and shoulder and to the intrados at the haunch must not be negative.  Added
+    with the rotations of a mechanism, [a] at the crown, [c] at the shoulder and [a + c] at the haunch, the three are
+    free of [p]; the mechanism's sliding joint, if any, bounds the thrust on the side that matters.  The sum is 0 at the
+    thickness of the state, and would be positive there if a thinner arch stood. *)
 
 Definition mechanism (a c delta alpha beta eta h p : R) : R :=
   a * crown_gap eta h p + (a + c) * haunch_gap delta beta eta h p
@@ -265,14 +253,13 @@ Proof. unfold mechanism, crown_gap, haunch_gap, shoulder_gap, thrust_arm, normal
 (** For every mechanism with a rotation at the crown or at the shoulder, and every state
     [(eta, h0, p0)] in which it can move. *)
 Theorem no_thinner_arch_by_mechanism (a c delta alpha beta eta eta' h0 p0 h p : R) : 0 <= delta <= 1 ->
-  0 < alpha < PI -> 0 <= beta < PI -> 0 < eta' < eta -> eta <= 2 -> 0 <= a -> 0 <= c ->
-  (0 < c \/ 0 < a /\ 0 < beta) -> mechanism a c delta alpha beta eta h0 p0 = 0 ->
-  thrust_arm a c alpha beta eta * (h - h0) <= 0 -> joint_stands delta 0 eta' h p ->
-  joint_stands delta beta eta' h p -> ~ joint_stands delta alpha eta' h p.
+  0 < alpha < PI -> 0 <= beta < PI -> 0 < eta' < eta -> eta <= 2 -> 0 <= a -> 0 <= c -> (0 < c \/ 0 < a /\
+    0 < beta) -> mechanism a c delta alpha beta eta h0 p0 = 0 -> thrust_arm a c alpha beta eta * (h - h0) <= 0 ->
+  joint_stands delta 0 eta' h p -> joint_stands delta beta eta' h p -> ~ joint_stands delta alpha eta' h p.
 Proof.
   intros Hd Ha Hb He' He Ha0 Hc0 Hmoves Hstate Hfriction (HN0 & Hin0 & Hout0) Sb Sa.
   rewrite normal_force_at_crown, cos_0 in *. assert (Hp : 0 <= p).
-  { assert (0 <= intrados eta' * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra. }
+  { assert (0 <= intrados eta' * h) by positive. lra. }
   assert (Hthrust := mechanism_of_thrust a c delta alpha beta eta h p h0 p0).
   assert (Hthicker := joint_stands_if_thicker delta beta eta' eta h p Hd ltac:(lra) He Hp Sb).
   destruct (room_if_thicker delta alpha eta' eta h p Hd He' He Hp Ha Sa) as [_ Hshoulder].
@@ -291,7 +278,7 @@ Theorem no_thinner_arch (delta alpha beta eta eta' h p : R) : 0 <= delta <= 1 ->
   h_lower delta beta eta = h_whole delta alpha eta -> joint_stands delta 0 eta' h p ->
   joint_stands delta beta eta' h p -> ~ joint_stands delta alpha eta' h p.
 Proof.
-  intros Hd Ha Hb He' He Hlower Hstate. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  intros Hd Ha Hb He' He Hlower Hstate. assert (Hv : 0 < 1 - cos alpha) by positive.
   assert (Hlever := lever_of_lower_thrust_positive beta eta ltac:(lra)).
   set (lower := intrados eta * cos beta - extrados eta * cos alpha) in *.
   set (upper := extrados eta - intrados eta * cos beta).
@@ -323,16 +310,14 @@ Proof.
   intros Ha Hab Hb. set (slope := fun x => (cos x * (sin x - x) + x * sin x ^ 2) / ((1 - cos x) * cos x ^ 2)).
   assert (Hpositive : forall x, 0 < x < PI / 2 ->
             0 < cos x /\ 0 < 1 - cos x /\ 0 < cos x * (sin x - x) + x * sin x ^ 2).
-  { intros x Hx. assert (HC : 0 < cos x) by (apply cos_gt_0; lra). assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
+  { intros x Hx. assert (HC : 0 < cos x) by positive. assert (0 < sin x) by positive.
     assert (Hcot := times_cosine_below_sine x ltac:(lra)). assert (Hcircle := circle x). nra. }
   destruct (MVT_cor2 (fun x => A x / cos x) slope a b Hab) as (c & Hc & Hin).
   { intros c Hc. destruct (Hpositive c ltac:(lra)) as (HC & Hv & _). unfold A, slope.
     auto_derive; [repeat split; lra|]. transitivity ((((sin c + c * cos c) * (1 - cos c) - c * sin c ^ 2) * cos c
                    + c * sin c ^ 2 * (1 - cos c)) / ((1 - cos c) ^ 2 * cos c ^ 2)); [field; lra|].
     replace (sin c ^ 2) with ((1 - cos c) * (1 + cos c)) by (assert (Hcircle := circle c); lra). field. lra. }
-  destruct (Hpositive c ltac:(lra)) as (HC & Hv & Hn). assert (0 < slope c).
-  { apply Rdiv_lt_0_compat; [easy|]. apply Rmult_lt_0_compat; [easy|]. now apply pow_lt. }
-  nra.
+  destruct (Hpositive c ltac:(lra)) as (HC & Hv & Hn). assert (0 < slope c) by (unfold slope; positive). nra.
 Qed.
 
 Theorem lever_positive (delta alpha beta eta : R) : 0 < beta < alpha -> alpha < PI -> 0 < eta < 2 ->
@@ -340,9 +325,9 @@ Theorem lever_positive (delta alpha beta eta : R) : 0 < beta < alpha -> alpha < 
 Proof.
   intros Hb Ha He [H25 H24].
   destruct (Rle_lt_dec (PI / 2) alpha) as [Hwide | Hnarrow]; [now apply lever_positive_from_semicircle|].
-  assert (HS : 0 < sin beta) by (apply sin_gt_0; lra). assert (HCb : 0 < cos beta) by (apply cos_gt_0; lra).
-  assert (HCa : 0 < cos alpha) by (apply cos_gt_0; lra). assert (Hg : 0 < g_of beta) by (apply g_positive; lra).
-  assert (Hvb : 0 < 1 - cos beta) by (apply versine_positive; lra).
+  assert (HS : 0 < sin beta) by positive. assert (HCb : 0 < cos beta) by positive.
+  assert (HCa : 0 < cos alpha) by positive.
+  assert (Hg : 0 < g_of beta) by (apply g_positive; lra). assert (Hvb : 0 < 1 - cos beta) by positive.
   assert (Hshoulder : A alpha * sin beta * (2 + eta) = g_of beta * (2 - eta)).
   { apply (shoulder_relation delta alpha beta eta (h_lower delta beta eta)); try easy; try lra.
     apply Rgt_not_eq, lever_of_lower_thrust_positive; lra. }
@@ -355,7 +340,7 @@ Proof.
       lra. }
   assert (Hgrows : A beta * cos alpha < A alpha * cos beta).
   { assert (H := A_over_cos_grows beta alpha ltac:(lra) ltac:(lra) Hnarrow).
-    apply (Rmult_lt_compat_r (cos alpha * cos beta)) in H; [|now apply Rmult_lt_0_compat]. field_simplify in H; lra. }
+    apply (Rmult_lt_compat_r (cos alpha * cos beta)) in H; [|positive]. field_simplify in H; lra. }
   assert (Hopen : g_of beta * cos alpha < A alpha * sin beta * cos beta) by nra. unfold intrados, extrados. nra.
 Qed.
 
@@ -396,9 +381,7 @@ Proof.
   assert (L1 := rotational_thickness_is_least delta alpha beta1 eta1 Hd Hb1 Ha He1 Hstate1).
   assert (L2 := rotational_thickness_is_least delta alpha beta2 eta2 Hd Hb2 Ha He2 Hstate2).
   assert (Heta : eta1 = eta2).
-  { apply Rle_antisym.
-    - apply L1; [lra|]. apply L2; lra.
-    - apply L2; [lra|]. apply L1; lra. }
+  { apply Rle_antisym; [apply L1, L2 | apply L2, L1]; lra. }
   subst eta2. destruct Hstate1 as [H25 H24], Hstate2 as [H25' H24'].
   assert (Hh : h_lower delta beta1 eta1 = h_lower delta beta2 eta1) by congruence. repeat split; [|easy].
   (* the same thrust is tangent at one joint only *)

@@ -1,16 +1,11 @@
 (** * Exactly one root of [n] equations in [n] unknowns: Krawczyk's test
 
-    Given equations [F_j(x) = 0], a centre [c], radii [r_i > 0] and any matrix [Y], look at
-
-        T(x) = x - Y F(x),
-
-    whose fixed points are the roots of [F] if [Y] is regular.  Distances are measured in units of the
-    radii, by the weighted supremum norm  |u| = max_i |u_i| / r_i;  the box is |x - c| <= 1.
-
-    If  |I - Y F'(x)| <= C  in the box and  C r + |Y F(c)| < r  (Krawczyk 1969, Moore 1977), then [T]
-    shrinks distances there by a factor q < 1 and maps the box into itself.  So two roots in the box are
-    at distance 0, and the iterates of [T] from [c] stay there and converge, to a fixed point: the box
-    holds **exactly one** root.  This is Banach's theorem, proved here for the norm at hand.
+    Given equations [F_j(x) = 0], a centre [c], radii [r_i > 0] and any matrix [Y], the fixed points of [T(x) = x - Y
+    F(x)] are the roots of [F] if [Y] is regular. Distances are measured in units of the radii, by the norm [max_i
+    |u_i| / r_i]; the box has the radius 1. If [|I - Y F'(x)| <= C] in the box and [C r + |Y F(c)| < r] (Krawczyk
+    1969, Moore 1977), then [T] shrinks distances there by a factor [q < 1] and maps the box into itself. So two roots
+    in the box are at distance 0, and the iterates of [T] from [c] stay there and converge, to a fixed point: the box
+    holds **exactly one** root. This is Banach's theorem, proved here for the norm at hand.
 
     A point is a function from indices to reals of which the first [n] values matter. *)
 
@@ -59,11 +54,7 @@ Proof.
 Qed.
 
 Lemma Rabs_sum n f : Rabs (sum n f) <= sum n (fun i => Rabs (f i)).
-Proof.
-  induction n as [| n IH]; simpl.
-  - rewrite Rabs_R0. lra.
-  - pose proof (Rabs_triang (sum n f) (f n)). lra.
-Qed.
+Proof. induction n as [| n IH]; simpl; [rewrite Rabs_R0; lra | pose proof (Rabs_triang (sum n f) (f n)); lra]. Qed.
 
 (** The entries of the identity matrix. *)
 Definition unit_entry (i k : nat) : R := if Nat.eqb i k then 1 else 0.
@@ -186,9 +177,8 @@ Proof.
   assert (inside : box limit) by (pose proof (limit_near_iterate 0) as H; now rewrite Rmult_1_l in H).
   split; [exact inside |]. apply (same_if_below_powers q (2 * q)); [easy |]. intros k.
   replace (q ^ k * (2 * q)) with (q ^ S k * 1 + q ^ S k * 1) by (simpl; ring).
-  apply within_trans with (iterate (S k)).
-  - apply shrunk_twice; auto using iterate_stays, limit_near_iterate; lra.
-  - apply within_sym, limit_near_iterate.
+  apply within_trans with (iterate (S k)); [apply shrunk_twice; auto using iterate_stays, limit_near_iterate; lra
+    | apply within_sym, limit_near_iterate].
 Qed.
 
 End Banach.
@@ -250,9 +240,8 @@ Qed.
 Lemma is_derive_sum m (g : nat -> R -> R) (g' : nat -> R) t : (forall j, (j < m)%nat -> is_derive (g j) t (g' j)) ->
   is_derive (fun s => sum m (fun j => g j s)) t (sum m g').
 Proof.
-  induction m as [| m IH]; intros H; simpl.
-  - apply @is_derive_const.
-  - apply @is_derive_plus; [apply IH; intros |]; apply H; lia.
+  induction m as [| m IH]; intros H; simpl; [apply @is_derive_const
+    | apply @is_derive_plus; [apply IH; intros |]; apply H; lia].
 Qed.
 
 (** The derivative of a component of [T] along a line is that component of [(I - Y J) u]. *)

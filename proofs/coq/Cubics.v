@@ -1,13 +1,8 @@
 (** * The cubic problem (7), its abbreviations (8) and its discriminant (12)
 
-    The key is that (2) and (5) together say two simple things:
-<<
-    2 eta S h = (g - f) (2 - eta)        (haunch)
-    h (2 - eta) S = f (2 - eta) - 2 S fac_M     (tangency)
->>
-    and (4) adds [A S (2 + eta) = g (2 - eta)].  So [h] and [A] are Moebius functions of [eta], and
-    the cubics in [A] and [h] are the cubic in [eta] after these substitutions.  All of it holds for
-    any delta_M, which gives the cubics (7) for any delta_M; the printed ones are delta_M = 1. *)
+    (2) and (5) together say [2 eta S h = (g - f) (2 - eta)] (haunch) and [h (2 - eta) S = f (2 - eta) - 2 S fac_M]
+    (tangency), and (4) adds [A S (2 + eta) = g (2 - eta)]. So [h] and [A] are Moebius functions of [eta], and their
+    cubics are the one in [eta] after these substitutions, for any delta_M; the printed ones are delta_M = 1. *)
 
 From Couplet Require Import Moments.
 
@@ -46,9 +41,8 @@ Proof. unfold g_of, f_of. ring. Qed.
 
 Theorem g_minus_f_positive (beta : R) : 0 < beta < 2 * PI -> 0 < g_of beta - f_of beta.
 Proof.
-  intros Hb. rewrite g_minus_f. apply Rmult_lt_0_compat.
-  - assert (sin beta < beta) by (apply sin_lt_x; lra). lra.
-  - now apply versine_positive.
+  intros Hb. rewrite g_minus_f. apply Rmult_lt_0_compat; [assert (sin beta < beta) by (apply sin_lt_x; lra); lra
+    | now apply versine_positive].
 Qed.
 
 Theorem g_positive (beta : R) : 0 < beta -> 0 < g_of beta.
@@ -63,9 +57,9 @@ Qed.
 (** The factor that the first cubic and (9) divide by. *)
 Theorem three_g_minus_2_S_positive (beta : R) : 0 < beta < PI -> 0 < 3 * g_of beta - 2 * sin beta.
 Proof.
-  intros Hb. unfold g_of. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
-  assert (HS' : sin beta < beta) by (apply sin_lt_x; lra). destruct (Rle_lt_dec beta (PI / 2)) as [Hc | Hc].
-  - assert (0 <= cos beta) by (apply cos_ge_0; lra). nra.
+  intros Hb. unfold g_of. assert (0 < sin beta) by positive.
+  assert (sin beta < beta) by (apply sin_lt_x; lra). destruct (Rle_lt_dec beta (PI / 2)) as [Hc | Hc].
+  - assert (0 <= cos beta) by positive. nra.
   - assert (HPI := PI2_3_2). assert (Hcircle := circle beta). destruct (SIN_bound beta). nra.
 Qed.
 
@@ -82,9 +76,8 @@ Theorem haunch_relation (delta beta eta h : R) : sin beta <> 0 -> 2 - eta <> 0 -
   2 * eta * sin beta * h = (g_of beta - f_of beta) * (2 - eta).
 Proof.
   intros HS He HD. rewrite (tangency_in_f _ _ _ _ HS He), (lower_thrust_cleared _ _ _ _ HD). rewrite g_first_form.
-  unfold g_first. intros H5. split; intros H.
-  - apply (f_equal (fun x => x * sin beta)) in H. nra.
-  - apply (Rmult_eq_reg_r (sin beta)); [nra | easy].
+  unfold g_first. intros H5. split; intros H; [apply (f_equal (fun x => x * sin beta)) in H; nra
+    | apply (Rmult_eq_reg_r (sin beta)); [nra | easy]].
 Qed.
 
 (** With (2) and (5), (4) is the shoulder relation. *)
@@ -111,9 +104,7 @@ Proof.
   assert (E : delta * S * eta ^ 3 + 3 * (f + g) * eta ^ 2 - 12 * (g - S) * eta + 12 * (g - f)
               = 3 * (2 - eta) * ((g - f) * (2 - eta) - 2 * eta * S * h)).
   { transitivity (3 * (g - f) * (2 - eta) ^ 2 - 6 * eta * (h * (2 - eta) * S)); [rewrite H5; field | ring]. }
-  rewrite E. split; intros H.
-  - rewrite H. ring.
-  - apply (Rmult_eq_reg_l (3 * (2 - eta))); lra.
+  rewrite E. split; intros H; [rewrite H; ring | apply (Rmult_eq_reg_l (3 * (2 - eta))); lra].
 Qed.
 
 (** (7), second line, for any delta_M: (2) = (5) exactly where the cubic vanishes. *)
@@ -134,10 +125,8 @@ Proof. unfold pol_eta, pol_eta_printed. ring. Qed.
 Theorem cubic_in_thickness_in_the_arch (delta beta eta : R) : 0 < beta < PI -> 0 < eta < 2 ->
   h_lower delta beta eta = h_tangency delta beta eta <-> pol_eta delta (f_of beta) (g_of beta) (sin beta) eta = 0.
 Proof.
-  intros Hb He. apply cubic_in_thickness_from_2_5.
-  - apply Rgt_not_eq, sin_gt_0; lra.
-  - lra.
-  - apply Rgt_not_eq, lever_of_lower_thrust_positive; lra.
+  intros Hb He. apply cubic_in_thickness_from_2_5; [positive | lra
+    | apply Rgt_not_eq, lever_of_lower_thrust_positive; lra].
 Qed.
 
 (** ** (7) in the thrust and in the opening *)
@@ -199,7 +188,7 @@ Theorem cubic_problem_in_the_arch (delta alpha beta eta h : R) : 0 < beta < PI -
   pol_A delta (f_of beta) (g_of beta) (sin beta) (A alpha) = 0 /\
   pol_eta delta (f_of beta) (g_of beta) (sin beta) eta = 0 /\ pol_h delta (f_of beta) (g_of beta) (sin beta) h = 0.
 Proof.
-  intros Hb He H2 H4 H5. assert (HS : sin beta <> 0) by (apply Rgt_not_eq, sin_gt_0; lra).
+  intros Hb He H2 H4 H5. assert (HS : sin beta <> 0) by positive.
   assert (HD : 2 + eta - (2 - eta) * cos beta <> 0) by (apply Rgt_not_eq, lever_of_lower_thrust_positive; lra).
   repeat split.
   - apply (cubic_in_opening_from_2_4_5 delta alpha beta eta h); try easy; lra.
@@ -272,7 +261,7 @@ Theorem heyman_quadratics_in_the_arch (alpha beta eta h : R) : 0 < beta < PI -> 
   h = h_lower 0 beta eta -> h = h_whole 0 alpha eta -> h = h_tangency 0 beta eta ->
   heyman_A (f_of beta) (g_of beta) (sin beta) (A alpha) = 0 /\ heyman_h (f_of beta) (g_of beta) (sin beta) h = 0.
 Proof.
-  intros Hb He H2 H4 H5. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra). assert (HS' : sin beta <> 0) by lra.
+  intros Hb He H2 H4 H5. assert (HS : 0 < sin beta) by positive. assert (HS' : sin beta <> 0) by lra.
   assert (Hi : 2 - eta <> 0) by lra. assert (Hx : 2 + eta <> 0) by lra.
   assert (HD : 2 + eta - (2 - eta) * cos beta <> 0) by (apply Rgt_not_eq, lever_of_lower_thrust_positive; lra).
   assert (Hk : 0 < g_of beta - f_of beta) by (apply g_minus_f_positive; lra).

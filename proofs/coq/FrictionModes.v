@@ -71,14 +71,14 @@ Theorem no_thinner_arch_with_sliding_joint (delta alpha beta eta eta' mu h0 : R)
 Proof.
   intros Hd Hb Ha He' He Hlever Hh0 Hs Hmu Hstate (h & p & Hall). apply upper_thrust_cleared in Hstate; [|lra].
   destruct (Hall 0 ltac:(lra)) as [Hcrown _]. destruct (Hall beta ltac:(lra)) as [Hhaunch _].
-  destruct (Hall alpha ltac:(lra)) as [Hshoulder _]. assert (Hs0 : 0 <= beta_s h0) by apply sqrt_pos.
+  destruct (Hall alpha ltac:(lra)) as [Hshoulder _]. assert (0 <= beta_s h0) by apply sqrt_pos.
   destruct (Hall (beta_s h0) ltac:(lra)) as [(HNs & _) Hfriction]. assert (Hh : 0 <= h).
   { destruct Hcrown as [HN0 _]. rewrite normal_force_at_crown in HN0. lra. }
   apply (thrust_at_least_h_is mu h0 h Hh0 Hmu Hh HNs) in Hfriction. revert Hcrown Hhaunch Hshoulder.
   apply (no_thinner_arch_by_mechanism 0 1 delta alpha beta eta eta' h0
            (extrados eta * normal_force alpha h0 - fac delta eta * (1 - cos alpha))); try lra.
   - unfold mechanism, haunch_gap, shoulder_gap, extrados, intrados, normal_force. lra.
-  - assert (Harm : thrust_arm 0 1 alpha beta eta < 0) by (unfold thrust_arm, extrados, intrados; lra). nra.
+  - assert (thrust_arm 0 1 alpha beta eta < 0) by (unfold thrust_arm, extrados, intrados; lra). nra.
 Qed.
 
 (** ** [[s,s]] *)

@@ -93,26 +93,22 @@ Ltac alone one solved closed v :=
   rewrite solved by assumption; cbn [flag]; rewrite closed by assumption;
   assert (A (x Alpha) = v <-> x Alpha = alpha) by (split; intros E; [now apply unique | now rewrite E]); tauto.
 
-Theorem only_end_of_rotation_heyman : exists alpha,
-  Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\
-  (forall x, x Thrust = 0 -> 0 < x Alpha < 2 * PI -> 0 <= x Eta < 2 ->
-     (solves RotationEnd Heyman x <-> x Eta = 1 /\ x Alpha = alpha)).
+Theorem only_end_of_rotation_heyman : exists alpha, Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\
+  (forall x, x Thrust = 0 -> 0 < x Alpha < 2 * PI -> 0 <= x Eta < 2 -> (solves RotationEnd Heyman x <-> x Eta = 1 /\
+    x Alpha = alpha)).
 Proof. alone opening_of_two_thirds solves_at_rotation_end rotation_end_heyman (2 / 3). Qed.
 
 Theorem only_end_of_rotation_milankovitch : exists alpha,
-  Rabs (alpha - 2.59084344300895490419429585352135) <= 1e-30 /\
-  (forall x, x Thrust = 0 -> 0 < x Alpha < 2 * PI -> 0 <= x Eta < 2 ->
-     (solves RotationEnd Milankovitch x <-> x Eta = eta_l_milankovitch /\ x Alpha = alpha)).
+  Rabs (alpha - 2.59084344300895490419429585352135) <= 1e-30 /\ (forall x, x Thrust = 0 -> 0 < x Alpha < 2 * PI ->
+    0 <= x Eta < 2 -> (solves RotationEnd Milankovitch x <-> x Eta = eta_l_milankovitch /\ x Alpha = alpha)).
 Proof. alone opening_of_root solves_at_rotation_end rotation_end_milankovitch (sqrt 3 - 1). Qed.
 
-Theorem only_end_of_overturning_heyman : exists alpha,
-  Rabs (alpha - 2.78649815065117703204215667394221) <= 1e-30 /\
-  (forall x, x Thrust = 0 -> x Eta = 2 -> 0 < x Alpha < 2 * PI ->
-     (solves OverturningEnd Heyman x <-> x Alpha = alpha)).
+Theorem only_end_of_overturning_heyman : exists alpha, Rabs (alpha - 2.78649815065117703204215667394221) <= 1e-30 /\
+  (forall x, x Thrust = 0 -> x Eta = 2 -> 0 < x Alpha < 2 * PI -> (solves OverturningEnd Heyman x <->
+    x Alpha = alpha)).
 Proof. alone opening_of_half solves_at_overturning_end overturning_end_heyman (1 / 2). Qed.
 
 Theorem only_end_of_overturning_milankovitch : exists alpha,
-  Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\
-  (forall x, x Thrust = 0 -> x Eta = 2 -> 0 < x Alpha < 2 * PI ->
-     (solves OverturningEnd Milankovitch x <-> x Alpha = alpha)).
+  Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\ (forall x, x Thrust = 0 -> x Eta = 2 ->
+    0 < x Alpha < 2 * PI -> (solves OverturningEnd Milankovitch x <-> x Alpha = alpha)).
 Proof. alone opening_of_two_thirds solves_at_overturning_end overturning_end_milankovitch (2 / 3). Qed.

@@ -32,7 +32,7 @@ Proof. intros Hb. unfold cosine_defect. field. easy. Qed.
 Lemma sine_defect_bounds (b : R) : 0 < b <= 1 -> - 1 / 6 <= sine_defect b <= - 1 / 6 + b ^ 2 / 120.
 Proof.
   intros Hb. assert (HPI := PI2_3_2). destruct (sin_bound b 0) as [Hlow Hup]; [lra | lra |].
-  unfold sin_approx, sin_term in Hlow, Hup. simpl in Hlow, Hup. assert (Hb3 : 0 < b ^ 3) by (apply pow_lt; lra).
+  unfold sin_approx, sin_term in Hlow, Hup. simpl in Hlow, Hup. assert (0 < b ^ 3) by positive.
   assert (E : sine_defect b * b ^ 3 = sin b - b) by (unfold sine_defect; field; lra).
   split; apply (Rmult_le_reg_r (b ^ 3)); try easy; rewrite E; field_simplify; lra.
 Qed.
@@ -40,7 +40,7 @@ Qed.
 Lemma cosine_defect_bounds (b : R) : 0 < b <= 1 -> - 1 / 2 <= cosine_defect b <= - 1 / 2 + b ^ 2 / 24.
 Proof.
   intros Hb. assert (HPI := PI2_3_2). destruct (cos_bound b 0) as [Hlow Hup]; [lra | lra |].
-  unfold cos_approx, cos_term in Hlow, Hup. simpl in Hlow, Hup. assert (Hb2 : 0 < b ^ 2) by (apply pow_lt; lra).
+  unfold cos_approx, cos_term in Hlow, Hup. simpl in Hlow, Hup. assert (0 < b ^ 2) by positive.
   assert (E : cosine_defect b * b ^ 2 = cos b - 1) by (unfold cosine_defect; field; lra).
   split; apply (Rmult_le_reg_r (b ^ 2)); try easy; rewrite E; field_simplify; lra.
 Qed.
@@ -142,8 +142,7 @@ Proof.
   destruct (states n) as [H25 _]. apply cubic_in_thickness_in_the_arch in H25; [|lra|lra].
   rewrite (cubic_near_crown delta l) in H25; [|lra | apply l_is_root; lra]. unfold second_order in H25.
   cbv zeta in H25. fold s c in H25. clearbody s c. set (x := eta n) in *. set (t := b n) in *.
-  assert (HD : delta * (x + l) + 12 <> 0).
-  { assert (0 <= delta * (x + l)) by (apply Rmult_le_pos; lra). lra. }
+  assert (HD : delta * (x + l) + 12 <> 0) by (assert (0 <= delta * (x + l)) by positive; lra).
   apply Rmult_integral in H25. destruct H25 as [H25 | H25]; [lra|].
   apply (Rmult_eq_reg_r (t ^ 2 * (x * (delta * (x + l) + 12)))); [|nonzero].
   transitivity (x * (delta * (x + l) + 12) * (x - l)); [field; lra|].
@@ -153,11 +152,10 @@ Qed.
 
 Lemma eta_rate_limit : is_lim_seq (fun n => (eta n - l) / (b n * b n)) eta_rate.
 Proof.
-  assert (Hs := sine_defect_limit). assert (Hc := cosine_defect_limit). assert (HD : 0 < 2 * delta * l + 12).
-  { assert (0 <= delta * l) by (apply Rmult_le_pos; lra). lra. }
-  eapply is_lim_seq_ext; [intros n; symmetry; apply thickness_to_second_order|]. unfold eta_rate. limits.
-  - apply Rmult_integral_contrapositive_currified; lra.
-  - field. lra.
+  assert (Hs := sine_defect_limit). assert (Hc := cosine_defect_limit). assert (0 < 2 * delta * l + 12).
+  { assert (0 <= delta * l) by positive. lra. }
+  eapply is_lim_seq_ext; [intros n; symmetry; apply thickness_to_second_order|]. unfold eta_rate. limits;
+    [apply Rmult_integral_contrapositive_currified; lra | field; lra].
 Qed.
 
 (** [A] from the shoulder relation. *)
@@ -169,7 +167,7 @@ Lemma opening_to_second_order (n : nat) :
     - 8 * ((eta n - l) / (b n * b n)) / ((2 + eta n) * (2 + l)).
 Proof.
   intros s c Hsinc. specialize (b_positive n). specialize (haunch_in_arch n). specialize (thickness_in_arch n).
-  destruct (states n) as [H25 H24]. assert (HS : sin (b n) <> 0) by (apply Rgt_not_eq, sin_gt_0; lra).
+  destruct (states n) as [H25 H24]. assert (HS : sin (b n) <> 0) by positive.
   assert (HA : A (alpha n) * sin (b n) * (2 + eta n) = g_of (b n) * (2 - eta n)).
   { apply (shoulder_relation delta _ _ _ (h_lower delta (b n) (eta n))); try easy; try lra.
     apply Rgt_not_eq, lever_of_lower_thrust_positive; lra. }
@@ -186,11 +184,7 @@ Proof.
   eapply is_lim_seq_ext_loc.
   - destruct b_eventually_small as [N HN]. exists N. intros n Hn. symmetry. apply opening_to_second_order.
     specialize (HN n Hn). assert (Hbounds := sine_defect_bounds (b n) HN). nra.
-  - unfold A_rate. limits.
-    + lra.
-    + lra.
-    + nra.
-    + field. lra.
+  - unfold A_rate. limits; [lra | lra | nra | field; lra].
 Qed.
 
 Lemma quotient_of_rates (x y t : R) : t <> 0 -> (x / t) / (y / t) = x / y.
@@ -262,15 +256,15 @@ Qed.
 Lemma second_order_bounded (delta b x : R) : 0 <= delta <= 1 -> 0 < b <= 1 -> 0 <= x <= 2 ->
   - 42 <= second_order delta b x <= 42.
 Proof.
-  intros Hd Hb Hx. unfold second_order. cbv zeta. assert (Hb2 : 0 <= b ^ 2 <= 1) by (simpl; nra).
+  intros Hd Hb Hx. unfold second_order. cbv zeta. assert (0 <= b ^ 2 <= 1) by (simpl; nra).
   assert (Hs := sine_defect_bounds b Hb). assert (Hc := cosine_defect_bounds b Hb). set (s := sine_defect b) in *.
-  set (c := cosine_defect b) in *. assert (Hsr : - 1 / 6 <= s <= 0) by lra. assert (Hcr : - 1 / 2 <= c <= 0) by lra.
-  set (t := b ^ 2) in *. clearbody s c t. clear Hs Hc Hb. assert (Hx2 : 0 <= x ^ 2 <= 4) by (simpl; nra).
-  assert (Hx3 : 0 <= x ^ 3 <= 8) by (simpl in *; nra). assert (Hdx : 0 <= delta * x ^ 3 <= 8) by nra.
-  assert (H1 : - 2 <= s * (delta * x ^ 3) <= 0) by nra. assert (H2 : - 16 <= 6 * (s + c) * x ^ 2 <= 0) by nra.
-  assert (H3 : 0 <= - 12 * c * x <= 12) by nra. assert (Hq : 0 <= 3 * x ^ 2 - 12 * x + 12 <= 12) by (split; nra).
-  set (q := 3 * x ^ 2 - 12 * x + 12) in *. assert (Hsc : 0 <= s * c <= 1 / 12) by nra.
-  assert (Htsc : 0 <= t * (s * c) <= 1 / 12) by nra. assert (H4 : 0 <= t * (s * c) * q <= 1) by nra.
+  set (c := cosine_defect b) in *. assert (- 1 / 6 <= s <= 0) by lra. assert (- 1 / 2 <= c <= 0) by lra.
+  set (t := b ^ 2) in *. clearbody s c t. clear Hs Hc Hb. assert (0 <= x ^ 2 <= 4) by (simpl; nra).
+  assert (0 <= x ^ 3 <= 8) by (simpl in *; nra). assert (0 <= delta * x ^ 3 <= 8) by nra.
+  assert (- 2 <= s * (delta * x ^ 3) <= 0) by nra. assert (- 16 <= 6 * (s + c) * x ^ 2 <= 0) by nra.
+  assert (0 <= - 12 * c * x <= 12) by nra. assert (0 <= 3 * x ^ 2 - 12 * x + 12 <= 12) by (split; nra).
+  set (q := 3 * x ^ 2 - 12 * x + 12) in *. assert (0 <= s * c <= 1 / 12) by nra.
+  assert (0 <= t * (s * c) <= 1 / 12) by nra. assert (0 <= t * (s * c) * q <= 1) by nra.
   replace (delta * s * x ^ 3) with (s * (delta * x ^ 3)) by ring.
   replace (t * s * c * q) with (t * (s * c) * q) by ring. lra.
 Qed.
@@ -287,9 +281,9 @@ Proof.
   set (P := fun x => pol_eta delta (f_of b) (g_of b) (sin b) x).
   assert (HP : forall x, l - e <= x <= l + e -> exists F, 8 <= F /\
     - (e / 2) < P x / b - F * (x - l) < e / 2).
-  { intros x Hx. exists (x * (delta * (x + l) + 12)). assert (0 <= delta * (x + l)) by (apply Rmult_le_pos; lra).
-    split; [nra|]. assert (Hbound := second_order_bounded delta b x Hd Hb1 ltac:(lra)).
-    assert (0 < b ^ 2 < e / 100) by (simpl; nra). unfold P. rewrite (cubic_near_crown delta l) by lra.
+  { intros x Hx. exists (x * (delta * (x + l) + 12)). assert (0 <= delta * (x + l)) by positive. split; [nra|].
+    assert (Hbound := second_order_bounded delta b x Hd Hb1 ltac:(lra)). assert (0 < b ^ 2 < e / 100) by (simpl; nra).
+    unfold P. rewrite (cubic_near_crown delta l) by lra.
     replace (_ / b - _) with (b ^ 2 * second_order delta b x) by (field; lra). nra. }
   assert (Hsign : forall x, P x / b * b = P x) by (intros; field; lra).
   destruct (IVT P (l - e) (l + e)) as (eta & Heta & Hzero).
@@ -298,21 +292,19 @@ Proof.
   - destruct (HP (l - e)) as (F & HF & H); [lra|]. assert (P (l - e) / b < 0) by nra. rewrite <- Hsign. nra.
   - destruct (HP (l + e)) as (F & HF & H); [lra|]. assert (P (l + e) / b > 0) by nra. rewrite <- Hsign. nra.
   - (* the half-angle *)
-    assert (HS : 0 < sin b) by (apply sin_gt_0; lra). assert (Hg := g_positive b ltac:(lra)).
-    assert (Hsin : 5 / 6 * b <= sin b).
+    assert (HS : 0 < sin b) by positive. assert (Hg := g_positive b ltac:(lra)). assert (Hsin : 5 / 6 * b <= sin b).
     { rewrite (sine_by_defect b) by lra. assert (H := sine_defect_bounds b Hb1).
       assert (- 1 / 6 <= b ^ 2 * sine_defect b) by (simpl; nra). nra. }
     assert (HgS : g_of b <= 11 / 5 * sin b) by (unfold g_of; destruct (COS_bound b); nra).
     set (v := g_of b * (2 - eta) / (sin b * (2 + eta))).
     assert (Hv : v * (sin b * (2 + eta)) = g_of b * (2 - eta)) by (unfold v; field; lra).
-    assert (0 < sin b * (2 + eta)) by (apply Rmult_lt_0_compat; lra).
+    assert (0 < sin b * (2 + eta)) by positive.
     destruct (half_opening v (PI / 2) PI) as (alpha & Halpha & HA & _); try lra.
     + apply Rle_lt_trans with (3 / 2); [|unfold A; rewrite sin_PI2, cos_PI2; lra].
       apply (Rmult_le_reg_r (sin b * (2 + eta))); [easy|]. rewrite Hv. nra.
     + unfold A. rewrite sin_PI. replace (_ / _) with 0 by (unfold Rdiv; ring). nra.
     + apply cubic_in_thickness_in_the_arch in Hzero; [|lra..]. exists alpha, eta. repeat split; try lra.
       * apply Rabs_def1; lra.
-      * apply (shoulder_relation delta alpha b eta (h_lower delta b eta)); try easy; try lra.
-        -- apply Rgt_not_eq, lever_of_lower_thrust_positive; lra.
-        -- rewrite HA. lra.
+      * apply (shoulder_relation delta alpha b eta (h_lower delta b eta)); try easy; try lra;
+          [apply Rgt_not_eq, lever_of_lower_thrust_positive; lra | rewrite HA; lra].
 Qed.

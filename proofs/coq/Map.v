@@ -1,16 +1,14 @@
 (** * The map of the modes, by columns and by rows
 
-    A mode moves an arch if one of its admissible states has the joints of that mode at their limits.
-    Where nothing wider stands one moves. At a given friction the modes follow each other as the
-    thickness grows, each on an interval or not at all, and at a given half-angle as the friction does.
+    A mode moves an arch if one of its admissible states has the joints of that mode at their limits. Where nothing
+    wider stands one moves. At a given friction the modes follow each other as the thickness grows, each on an interval
+    or not at all, and at a given half-angle as the friction does. Two things are asked of numbers, which balls prove
+    for the claims: that the friction of the shoulder grows along the rotational states, and for the rows that an inner
+    joint slides at a thrust of at most 1/2 where the shoulder turns, and that no half-angle has both this and
+    [[s,r,r]]. *)
 
-    Two things are asked of numbers, which balls prove for the claims: that the friction of the shoulder
-    grows along the rotational states, and for the rows that an inner joint slides at a thrust of at
-    most 1/2 where the shoulder turns, and that no half-angle has both this and [[s,r,r]]. *)
-
-From Coq Require Import Lia.
-From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
-From Couplet Require Import Mechanisms Room Modes Attained Order.
+From Coq Require Import Lia Compare_dec Classical.
+From Couplet Require Import Overturning Room Modes Attained Order.
 
 (** In the tube of a piece there is one solution at each value of the parameter. *)
 Definition piece (point : Type) (solves : R -> point -> Prop) (a b : R) (tube : R -> point -> Prop) : Prop :=
@@ -88,11 +86,10 @@ Qed.
 
 (** With its thrust kept a state has the line of thrust on both faces, or there is one off both. *)
 Lemma on_both_faces_or_off (delta alpha eta mu h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 ->
-  0 < mu -> admissible_state delta alpha eta mu h p ->
-  (exists beta, 0 <= beta <= alpha /\ haunch_gap delta beta eta h p = 0 /\
-     (shoulder_gap delta 0 eta h p = 0 \/ shoulder_gap delta alpha eta h p = 0)) \/
-  (exists p', forall x, 0 <= x <= alpha ->
-     0 < shoulder_gap delta x eta h p' /\ 0 < haunch_gap delta x eta h p').
+  0 < mu -> admissible_state delta alpha eta mu h p -> (exists beta, 0 <= beta <= alpha /\
+    haunch_gap delta beta eta h p = 0 /\ (shoulder_gap delta 0 eta h p = 0 \/
+    shoulder_gap delta alpha eta h p = 0)) \/ (exists p', forall x, 0 <= x <= alpha ->
+    0 < shoulder_gap delta x eta h p' /\ 0 < haunch_gap delta x eta h p').
 Proof.
   intros Hd Ha He Hmu Hstate. destruct (margins_continuous delta eta mu h p) as (CU & CL & _).
   assert (Hgaps : forall x, 0 <= x <= alpha -> 0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p).
@@ -108,21 +105,17 @@ Proof.
     { intros x. apply continuity_pt_const. now intros u v. }
     { intros x Hx E. now destruct (Hne x Hx). }
     exists e. split; [easy|]. intros x Hx. assert (A := Hpf x Hx). assert (B := H e ltac:(lra) x Hx). lra. }
-  destruct (Classical_Prop.classic (exists x, 0 <= x <= alpha /\ shoulder_gap delta x eta h p = 0))
+  destruct (classic (exists x, 0 <= x <= alpha /\ shoulder_gap delta x eta h p = 0))
     as [(x & Hx & EU) | Hoff].
-  - destruct (Classical_Prop.classic (exists y, 0 <= y <= alpha /\ haunch_gap delta y eta h p = 0))
+  - destruct (classic (exists y, 0 <= y <= alpha /\ haunch_gap delta y eta h p = 0))
       as [(y & Hy & EL) | Hoff].
     + left. exists y. split; [easy | split; [easy|]].
       destruct (extrados_reached Hstate Hd Ha He x Hx EU) as [-> | ->]; tauto.
-    + right.
-      destruct (Hway _ _ CU CL ltac:(intros z Hz; now apply Hgaps)
-                  ltac:(intros z Hz; now apply Hgaps)) as (e & He' & H).
-      { intros z Hz E. apply Hoff. now exists z. }
+    + right. destruct (Hway _ _ CU CL (fun z Hz => proj1 (Hgaps z Hz)) (fun z Hz => proj2 (Hgaps z Hz)))
+        as (e & He' & H); [intros z Hz E; apply Hoff; now exists z |].
       exists (p + - e). intros z Hz. destruct (Hmoved z (- e)) as (-> & ->). destruct (H z Hz). lra.
-  - right.
-    destruct (Hway _ _ CL CU ltac:(intros z Hz; now apply Hgaps)
-                ltac:(intros z Hz; now apply Hgaps)) as (e & He' & H).
-    { intros z Hz E. apply Hoff. now exists z. }
+  - right. destruct (Hway _ _ CL CU (fun z Hz => proj2 (Hgaps z Hz)) (fun z Hz => proj1 (Hgaps z Hz)))
+      as (e & He' & H); [intros z Hz E; apply Hoff; now exists z |].
     exists (p + e). intros z Hz. destruct (Hmoved z e) as (-> & ->). destruct (H z Hz). lra.
 Qed.
 
@@ -157,10 +150,9 @@ Proof.
 Qed.
 
 (** To each thickness and friction belongs one half-angle, and a mode moves it. *)
-Corollary each_point_has_a_mode (delta eta mu : R) : 0 <= delta <= 1 -> 0 < eta <= 2 -> 0 < mu ->
-  exists alpha, 0 < alpha < PI /\
-    (forall alpha', 0 < alpha' <= PI -> arch_stands delta alpha' eta mu <-> alpha' <= alpha) /\
-    exists m, mode_moves delta alpha eta mu m.
+Corollary each_point_has_a_mode (delta eta mu : R) : 0 <= delta <= 1 -> 0 < eta <= 2 -> 0 < mu -> exists alpha,
+  0 < alpha < PI /\ (forall alpha', 0 < alpha' <= PI -> arch_stands delta alpha' eta mu <-> alpha' <= alpha) /\
+  exists m, mode_moves delta alpha eta mu m.
 Proof.
   intros Hd He Hmu. destruct (one_half_angle delta eta mu Hd He Hmu) as (alpha & Ha & Hexactly & Hmoves & _).
   exists alpha. split; [easy | split; [easy|]].
@@ -205,18 +197,17 @@ Theorem modes_of_a_column (delta mu alpha1 eta1 alpha2 eta2 : R) (m1 m2 : mode) 
 Proof.
   intros Hd Hmu Hgrows Ha1 Ha2 He1 He He2 (h1 & p1 & b1 & s1 & S1 & L1) (h2 & p2 & b2 & s2 & S2 & L2).
   assert (Sh1 := shoulder_of_mode L1). assert (Sh2 := shoulder_of_mode L2).
-  destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1].
-  - destruct (slip_of_mode R1 L1) as [Hs1 EI1]. destruct (Compare_dec.le_lt_dec 2 (rank m2)) as [R2 | R2].
+  destruct (le_lt_dec 2 (rank m1)) as [R1 | R1].
+  - destruct (slip_of_mode R1 L1) as [Hs1 EI1]. destruct (le_lt_dec 2 (rank m2)) as [R2 | R2].
     + destruct (slip_of_mode R2 L2) as [Hs2 EI2].
-      destruct (Compare_dec.le_lt_dec 5 (rank m2)) as [R2' | R2']; [destruct m1, m2; simpl in *; lia|].
-      destruct (haunch_of_mode R2 R2' L2) as (Hb2 & EL2 & EU2).
-      destruct (Compare_dec.le_lt_dec 5 (rank m1)) as [R1' | R1'].
+      destruct (le_lt_dec 5 (rank m2)) as [R2' | R2']; [destruct m1, m2; simpl in *; lia|].
+      destruct (haunch_of_mode R2 R2' L2) as (Hb2 & EL2 & EU2). destruct (le_lt_dec 5 (rank m1)) as [R1' | R1'].
       * exfalso. destruct m1; simpl in R1'; try lia. simpl in L1.
         apply (sliding_comes_last S1 S2 Hd Ha1 ltac:(lra) Hmu Ha2 ltac:(lra) Hmu ltac:(lra) s1 s2 b2); easy || lra || tauto.
       * destruct (haunch_of_mode R1 R1' L1) as (Hb1 & EL1 & EU1).
         destruct (haunch_falls S1 S2 Hd Ha1 ltac:(lra) Hmu Ha2 ltac:(lra) Hmu ltac:(lra) ltac:(lra) s1 b1 s2 b2 Hs1 EI1 Sh1 Hs2 EI2 Sh2
-                    Hb1 EL1 Hb2 EL2) as (Hfall & Hstrict & Hslip).
-        specialize (Hstrict (or_introl He)). specialize (Hslip (or_intror eq_refl)). apply Nat.nlt_ge. intros Hless.
+                    Hb1 EL1 Hb2 EL2) as (Hfall & Hstrict & Hslip). specialize (Hstrict (or_introl He)).
+        specialize (Hslip (or_intror eq_refl)). apply Nat.nlt_ge. intros Hless.
         destruct m1, m2; simpl in R1, R1', R2, R2', Hless; try lia; simpl in L1, L2; lra.
     + exfalso. destruct (crown_of_mode R2 L2) as (Hb2 & EC2 & EL2).
       destruct (crown_turns_first S1 S2 Hd Ha1 ltac:(lra) Hmu Ha2 ltac:(lra) Hmu ltac:(lra) ltac:(lra) s1 b2 Hs1 EI1 Sh1 Hb2 EC2 EL2 Sh2) as (E & _).
@@ -255,17 +246,14 @@ Definition rank_of_row (m : mode) : nat :=
   match m with SS => 0 | RS => 1 | RSR => 2 | RRS => 3 | SRR => 3 | RRR => 4 end.
 
 (** As the friction grows the modes that move at the least thicknesses follow each other. *)
-Theorem modes_of_a_row (delta alpha mu1 eta1 mu2 eta2 : R) (m1 m2 : mode) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < mu1 < mu2 -> 0 < eta1 <= 2 -> 0 < eta2 <= 2 ->
-  (forall eta', 0 < eta' < eta2 -> ~ arch_stands delta alpha eta' mu2) ->
-  (forall eta mu h p beta sigma m,
-     0 < eta <= 2 -> 0 < mu -> admissible_state delta alpha eta mu h p ->
-     (2 <= rank m)%nat -> (rank m < 5)%nat -> has_limits delta alpha eta mu h p beta sigma m -> h <= 1 / 2) ->
-  (forall eta mu eta' mu' m, 0 < eta <= 2 -> 0 < mu -> 0 < eta' <= 2 -> 0 < mu' ->
-     (2 <= rank m)%nat -> (rank m < 5)%nat ->
-     mode_moves delta alpha eta mu SRR -> ~ mode_moves delta alpha eta' mu' m) ->
-  mode_moves delta alpha eta1 mu1 m1 -> mode_moves delta alpha eta2 mu2 m2 ->
-  (rank_of_row m1 <= rank_of_row m2)%nat.
+Theorem modes_of_a_row (delta alpha mu1 eta1 mu2 eta2 : R) (m1 m2 : mode) : 0 <= delta <= 1 -> 0 < alpha < PI ->
+  0 < mu1 < mu2 -> 0 < eta1 <= 2 -> 0 < eta2 <= 2 -> (forall eta', 0 < eta' < eta2 ->
+    ~ arch_stands delta alpha eta' mu2) -> (forall eta mu h p beta sigma m, 0 < eta <= 2 -> 0 < mu ->
+    admissible_state delta alpha eta mu h p -> (2 <= rank m)%nat -> (rank m < 5)%nat ->
+    has_limits delta alpha eta mu h p beta sigma m -> h <= 1 / 2) -> (forall eta mu eta' mu' m, 0 < eta <= 2 ->
+    0 < mu -> 0 < eta' <= 2 -> 0 < mu' -> (2 <= rank m)%nat -> (rank m < 5)%nat ->
+    mode_moves delta alpha eta mu SRR -> ~ mode_moves delta alpha eta' mu' m) -> mode_moves delta alpha eta1 mu1 m1 ->
+  mode_moves delta alpha eta2 mu2 m2 -> (rank_of_row m1 <= rank_of_row m2)%nat.
 Proof.
   intros Hd Ha Hmu He1 He2 Hleast Hhalf Hexclude M1 M2. destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1) eqn:D1.
   destruct M2 as (h2 & p2 & b2 & s2 & S2 & L2) eqn:D2. clear D1 D2. assert (Sh1 := shoulder_of_mode L1).
@@ -291,14 +279,14 @@ Proof.
     destruct (Hmargins s2 ltac:(lra)) as [HI _]. destruct (Hmargins alpha ltac:(lra)) as [_ HO].
     assert (E := sliding_does_not_see_the_thickness s2 alpha mu2 h2 h1 ltac:(lra) ltac:(lra)
                    (HN2 s2 ltac:(lra)) (HN2 alpha ltac:(lra)) EI2 EO2 ltac:(lra) ltac:(lra)). rewrite E in HO. lra. }
-  destruct (Compare_dec.le_lt_dec 2 (rank m2)) as [R2 | R2].
+  destruct (le_lt_dec 2 (rank m2)) as [R2 | R2].
   - (* an inner joint slides in the rougher arch: the crown does not turn in the smoother one *)
     destruct (slip_of_mode R2 L2) as [Hs2 EI2].
-    destruct (Compare_dec.le_lt_dec 5 (rank m2)) as [R2' | R2'];
+    destruct (le_lt_dec 5 (rank m2)) as [R2' | R2'];
       [exfalso; apply Hsliding; destruct m2; simpl in R2'; lia || easy|].
-    destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1].
+    destruct (le_lt_dec 2 (rank m1)) as [R1 | R1].
     + destruct (slip_of_mode R1 L1) as [Hs1 EI1].
-      destruct (Compare_dec.le_lt_dec 5 (rank m1)) as [R1' | R1']; [destruct m1; simpl in R1'; simpl; lia|].
+      destruct (le_lt_dec 5 (rank m1)) as [R1' | R1']; [destruct m1; simpl in R1'; simpl; lia|].
       destruct (haunch_of_mode R1 R1' L1) as (Hb1 & EL1 & EU1).
       destruct (haunch_of_mode R2 R2' L2) as (Hb2 & EL2 & EU2).
       destruct (haunch_falls S2 S1 Hd Ha He2 ltac:(lra) Ha He1 ltac:(lra) ltac:(lra) ltac:(lra) s2 b2 s1 b1 Hs2 EI2 Sh2 Hs1 EI1 Sh1
@@ -308,12 +296,10 @@ Proof.
     + exfalso. destruct (crown_of_mode R1 L1) as (Hb1 & EC1 & EL1).
       destruct (crown_turns_first S2 S1 Hd Ha He2 ltac:(lra) Ha He1 ltac:(lra) ltac:(lra) ltac:(lra) s2 b1 Hs2 EI2 Sh2 Hb1 EC1 EL1 Sh1) as (_ & E & _).
       lra.
-  - destruct m2; simpl in R2; try lia; [destruct m1; simpl; lia|].
-    destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1].
-    + destruct (Compare_dec.le_lt_dec 5 (rank m1)) as [R1' | R1']; [destruct m1; simpl in R1'; simpl; lia|]. exfalso.
-      apply (Hexclude eta2 mu2 eta1 mu1 m1 He2 ltac:(lra) He1 (proj1 Hmu) R1 R1').
-      * now exists h2, p2, b2, s2.
-      * now exists h1, p1, b1, s1.
+  - destruct m2; simpl in R2; try lia; [destruct m1; simpl; lia|]. destruct (le_lt_dec 2 (rank m1)) as [R1 | R1].
+    + destruct (le_lt_dec 5 (rank m1)) as [R1' | R1']; [destruct m1; simpl in R1'; simpl; lia|]. exfalso.
+      apply (Hexclude eta2 mu2 eta1 mu1 m1 He2 ltac:(lra) He1 (proj1 Hmu) R1 R1'); [now exists h2, p2, b2, s2
+        | now exists h1, p1, b1, s1].
     + (* both crowns turn: if the smoother arch is purely rotational so is the rougher one *)
       destruct m1; simpl in R1; try lia. exfalso. destruct (crown_of_mode (m := RRR) R1 L1) as (Hb1 & EC1 & EL1).
       destruct (crown_of_mode (m := SRR) ltac:(simpl; lia) L2) as (Hb2 & EC2 & EL2). simpl in L1, L2.

@@ -1,23 +1,16 @@
 (** * Symmetric mechanisms: seven modes, one thickness, one half-angle
 
-    A mechanism without dilatancy gives rates that are not negative to joints at their limit, so
-    that neither the thrust [h] nor the crown moment [p] works on it: [u] to the hinge at the
-    crown's extrados, [l] to that at the intrados of [beta], [v] to that at the shoulder's extrados,
-    [s] to the joint [sigma] that slides inwards and [t] to the shoulder that slides outwards.
+    A mechanism without dilatancy gives rates that are not negative to joints at their limit, so that neither the thrust
+    [h] nor the crown moment [p] works on it: [u] to the hinge at the crown's extrados, [l] to that at the intrados of
+    [beta], [v] to that at the shoulder's extrados, [s] to the joint [sigma] that slides inwards and [t] to the shoulder
+    that slides outwards. It is a sum of four, each with one rate inside and one at the shoulder. Friction is not
+    associated, and yet the margins with the scaled rates add up to the same for all thrusts: so a thicker arch has no
+    mechanism but pure sliding, and a narrower one has none at all.
 
-    - [four_supports]: a mechanism is a sum of four, each with one rate inside and one at the
-      shoulder;
-    - [slip_rows_are_scaled], [work_is_the_same]: friction is not associated, and yet the margins
-      with the scaled rates add up to the same for all thrusts;
-    - [no_motion_above_the_least]: so a thicker arch has none but pure sliding;
-    - [no_motion_below_the_widest]: and a narrower arch has none at all;
-    - [symmetric_mean_stands]: a whole arch that stands has a symmetric state.
+    [Modes] proves that a mechanism, which may give a rate to any joint, is one of [moves]; [Room] that an arch without
+    room has such rates, and [Attained] that the least thickness and the widest half-angle are attained. *)
 
-    [Modes] proves that a mechanism, which may give a rate to any joint, is one of [moves], and where
-    its joints are; [Room] that an arch without room has such rates, and [Attained] that the least
-    thickness and the widest half-angle are attained. *)
-
-From Couplet Require Import Moments Cubics Sliding Joining Contact FrictionModes.
+From Couplet Require Export Moments Cubics Sliding Joining Contact FrictionModes.
 
 (** ** The lever arm of the haunch *)
 
@@ -27,8 +20,7 @@ Proof.
   intros Hx Hxy Hy. destruct (Req_dec x y) as [-> | Hne]; [lra|].
   destruct (MVT_cor2 (fun t => t * sin t + cos t) (fun t => t * cos t) x y) as (c & Hc & Hin); [lra| |].
   { intros c Hc. auto_derive; [easy | ring]. }
-  assert (0 <= cos c) by (apply cos_ge_0; lra). assert (0 <= c * cos c * (y - x)) by (repeat apply Rmult_le_pos; lra).
-  lra.
+  assert (0 <= cos c) by positive. assert (0 <= c * cos c * (y - x)) by positive. lra.
 Qed.
 
 (** Without it there is room between the intrados of a joint and the shoulder's extrados, whatever the thrust: *)
@@ -40,16 +32,14 @@ Proof.
   assert (Hnarrow : 0 <= cos alpha) by (unfold intrados, extrados in Harm; nra). assert (HaPI : alpha <= PI / 2).
   { apply Rnot_lt_le. intros H. assert (cos alpha < 0) by (apply cos_lt_0; lra). lra. }
   assert (Hgrow := moment_of_weight_grows beta alpha ltac:(lra) ltac:(lra) HaPI).
-  assert (HSb : 0 <= beta * sin beta) by (apply Rmult_le_pos; [lra | apply sin_ge_0; lra]).
-  assert (HSa : 0 < alpha * sin alpha) by (apply Rmult_lt_0_compat; [lra | apply sin_gt_0; lra]).
+  assert (HSb : 0 <= beta * sin beta) by positive. assert (HSa : 0 < alpha * sin alpha) by positive.
   set (D := alpha * sin alpha + cos alpha - (beta * sin beta + cos beta)).
   assert (Hsum : extrados eta * D + eta * (beta * sin beta) + eta * (6 - delta * eta) / 12 * (cos beta - cos alpha)
     = h * (intrados eta * cos beta - extrados eta * cos alpha) + (haunch_gap delta beta eta h p + shoulder_gap delta
     alpha eta h p)).
   { unfold haunch_gap, shoulder_gap, normal_force, D, extrados, intrados, fac. field. }
-  assert (0 <= D) by (unfold D; lra).
-  assert (Hgain : 0 < eta * (6 - delta * eta) / 12) by (apply Rdiv_lt_0_compat; nra).
-  assert (0 <= extrados eta * D) by (apply Rmult_le_pos; [unfold extrados|]; lra).
+  assert (0 <= D) by (unfold D; lra). assert (Hgain : 0 < eta * (6 - delta * eta) / 12) by positive.
+  assert (0 <= extrados eta * D) by positive.
   (* not each term is zero, or the weight of the shoulder would be *)
   apply Rnot_le_lt. intros Hnone. assert (HD0 : D = 0) by (unfold extrados in *; nra).
   assert (Hb0 : beta * sin beta = 0) by nra. unfold D in HD0. nra.
@@ -93,21 +83,19 @@ Theorem four_supports (delta alpha beta sigma eta mu h p u l v s t : R) : 0 <= d
   sin sigma * s = x3 + x4 /\ sin alpha * t = x2 + x4 /\ l = u + v.
 Proof.
   intros Hd Hb Ha Hs He Hh ((Hu & Hl & Hv & Hs0 & Ht) & (Hp & Hbalance) & _ & HL & HU & _ & _) a b.
-  fold a b in Hbalance. assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra).
-  assert (HSa : 0 < sin alpha) by (apply sin_gt_0; lra). assert (Hau : 0 <= a * u).
+  fold a b in Hbalance. assert (HSs : 0 < sin sigma) by positive. assert (HSa : 0 < sin alpha) by positive.
+  assert (Hau : 0 <= a * u).
   { apply Rmult_le_pos; [|easy]. unfold a, extrados, intrados. destruct (COS_bound beta). nra. }
   assert (Hbv : 0 <= b * v).
   { destruct (Req_dec v 0) as [-> | Hne]; [lra|]. apply Rmult_le_pos; [apply Rlt_le|easy].
-    apply (lever_positive_in_any_state delta alpha beta eta h p); try easy.
-    - apply (Rmult_eq_reg_l l); lra.
-    - apply (Rmult_eq_reg_l v); lra. }
-  assert (Hss : 0 <= sin sigma * s) by (apply Rmult_le_pos; lra).
-  assert (Htt : 0 <= sin alpha * t) by (apply Rmult_le_pos; lra). set (x := a * u) in *. set (y := b * v) in *.
-  set (z := sin sigma * s) in *. set (w := sin alpha * t) in *.
+    apply (lever_positive_in_any_state delta alpha beta eta h p); try easy; [apply (Rmult_eq_reg_l l); lra
+      | apply (Rmult_eq_reg_l v); lra]. }
+  assert (Hss : 0 <= sin sigma * s) by positive. assert (Htt : 0 <= sin alpha * t) by positive. set (x := a * u) in *.
+  set (y := b * v) in *. set (z := sin sigma * s) in *. set (w := sin alpha * t) in *.
   assert (Hsum : x + z = y + w) by (unfold x, y, z, w; lra). destruct (Req_dec (x + z) 0) as [H0 | H0].
   - exists 0, 0, 0, 0. lra.
   - assert (HF : 0 < x + z) by lra. assert (Hpart : forall i j, 0 <= i -> 0 <= j -> 0 <= i * j / (x + z)).
-    { intros i j Hi Hj. apply Rmult_le_pos; [now apply Rmult_le_pos|]. now apply Rlt_le, Rinv_0_lt_compat. }
+    { intros i j Hi Hj. apply Rmult_le_pos; [positive|]. now apply Rlt_le, Rinv_0_lt_compat. }
     exists (x * y / (x + z)), (x * w / (x + z)), (z * y / (x + z)), (z * w / (x + z)).
     repeat split; try (now apply Hpart); try easy.
     + replace (x * y / (x + z) + x * w / (x + z)) with (x * (y + w) / (x + z)) by (field; lra). rewrite <- Hsum.
@@ -164,13 +152,6 @@ Proof.
     with (t * sin alpha - s * sin sigma) in Hhinges by lra. lra.
 Qed.
 
-(** What the rate of a sliding joint is scaled by is positive. *)
-Lemma slip_factor_positive (x h : R) : 0 < x < PI -> 0 < normal_force x h -> 0 < sin x * normal_force x h / x.
-Proof.
-  intros Hx HN. assert (0 < sin x) by (apply sin_gt_0; lra).
-  apply Rdiv_lt_0_compat; [now apply Rmult_lt_0_compat | lra].
-Qed.
-
 Lemma factor_zero (a b : R) : 0 < b -> a * b = 0 -> a = 0.
 Proof. intros Hb H. apply (Rmult_eq_reg_r b); lra. Qed.
 
@@ -183,9 +164,8 @@ Theorem thicker_arch_has_room (delta alpha beta eta eta' h p : R) : 0 <= delta <
   0 < haunch_gap delta beta eta' h p' /\ 0 < shoulder_gap delta alpha eta' h p'.
 Proof.
   intros Hd Hb Ha He He' Hh Hall. exists p. destruct (Hall 0 ltac:(lra)) as (_ & Hlow & Hcrown).
-  rewrite normal_force_at_crown, cos_0 in Hlow, Hcrown.
-  assert (0 < (eta' - eta) * h) by (apply Rmult_lt_0_compat; lra).
-  assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). assert (Hp : 0 <= p) by lra.
+  rewrite normal_force_at_crown, cos_0 in Hlow, Hcrown. assert (0 < (eta' - eta) * h) by positive.
+  assert (0 <= intrados eta * h) by positive. assert (Hp : 0 <= p) by lra.
   assert (Hroom := fun x Hx H => room_if_thicker delta x eta eta' h p Hd He He' Hp Hx (Hall x H)).
   split; [unfold crown_gap, extrados in *; lra | split; [| apply Hroom; lra]].
   destruct (Req_dec beta 0) as [-> | Hne]; [| apply Hroom; lra]. unfold haunch_gap, intrados in *.
@@ -193,11 +173,11 @@ Proof.
 Qed.
 
 (** Finite friction needs a thrust: next to the crown the weight has no other hold. *)
-Lemma friction_needs_thrust (alpha mu h : R) : 0 < alpha -> 0 <= mu ->
-  (forall x, 0 <= x <= alpha -> 0 <= normal_force x h /\ friction_holds x mu h) -> 0 < h.
+Lemma friction_needs_thrust (delta alpha eta mu h p : R) : 0 < alpha -> 0 <= mu ->
+  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p /\ friction_holds x mu h) -> 0 < h.
 Proof.
   intros Ha Hmu Hall. assert (Hh : 0 <= h).
-  { destruct (Hall 0 ltac:(lra)) as [H _]. rewrite normal_force_at_crown in H. lra. }
+  { destruct (Hall 0 ltac:(lra)) as [[H _] _]. rewrite normal_force_at_crown in H. lra. }
   destruct (Req_dec h 0) as [E | Hne]; [|lra]. subst h. set (x := Rmin alpha (/ (mu + 2))).
   assert (Hinv : 0 < / (mu + 2)) by (apply Rinv_0_lt_compat; lra). assert (Hx : 0 < x) by (apply Rmin_glb_lt; lra).
   assert (Hx1 : x <= alpha) by apply Rmin_l. assert (Hx2 : (mu + 2) * x <= 1).
@@ -220,22 +200,19 @@ Theorem no_motion_above_the_least (delta alpha beta sigma eta eta' mu h p u l v 
   0 < normal_force sigma h -> 0 < normal_force alpha h -> arch_stands delta alpha eta mu ->
   moves delta alpha beta sigma eta' mu h p u l v s t -> u = 0 /\ l = 0 /\ v = 0.
 Proof.
-  intros Hd Hb Ha Hs Hmu He He' HNs HNa (h0 & p0 & Hall) Hmoves. assert (Hh0 : 0 < h0).
-  { apply (friction_needs_thrust alpha mu); try lra. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. now split. }
+  intros Hd Hb Ha Hs Hmu He He' HNs HNa (h0 & p0 & Hall) Hmoves.
+  assert (0 < h0) by (apply (friction_needs_thrust delta alpha eta mu h0 p0); [lra | lra | exact Hall]).
   destruct (thicker_arch_has_room delta alpha beta eta eta' h0 p0) as (p' & Hc & Hi & Ho); try easy.
   { now apply Hall. }
   assert (Hwork := work_is_the_same delta alpha beta sigma eta' mu h p u l v s t h0 p'
                      ltac:(lra) ltac:(lra) HNs HNa Hmoves). destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & _).
   destruct (Hall sigma ltac:(lra)) as [_ Hfs]. destruct (Hall alpha ltac:(lra)) as [_ Hfa].
-  apply Rabs_le_between in Hfs, Hfa. assert (Hks := slip_factor_positive sigma h ltac:(lra) HNs).
-  assert (Hka := slip_factor_positive alpha h ltac:(lra) HNa).
-  assert (0 <= s * (sin sigma * normal_force sigma h / sigma) * inward_gap sigma mu h0)
-    by (apply Rmult_le_pos; [apply Rmult_le_pos | unfold inward_gap]; lra).
-  assert (0 <= t * (sin alpha * normal_force alpha h / alpha) * outward_gap alpha mu h0)
-    by (apply Rmult_le_pos; [apply Rmult_le_pos | unfold outward_gap]; lra).
-  assert (0 <= u * crown_gap eta' h0 p') by (apply Rmult_le_pos; lra).
-  assert (0 <= l * haunch_gap delta beta eta' h0 p') by (apply Rmult_le_pos; lra).
-  assert (0 <= v * shoulder_gap delta alpha eta' h0 p') by (apply Rmult_le_pos; lra). repeat split.
+  apply Rabs_le_between in Hfs, Hfa. assert (0 <= inward_gap sigma mu h0) by (unfold inward_gap; lra).
+  assert (0 <= outward_gap alpha mu h0) by (unfold outward_gap; lra).
+  assert (0 <= s * (sin sigma * normal_force sigma h / sigma) * inward_gap sigma mu h0) by positive.
+  assert (0 <= t * (sin alpha * normal_force alpha h / alpha) * outward_gap alpha mu h0) by positive.
+  assert (0 <= u * crown_gap eta' h0 p') by positive. assert (0 <= l * haunch_gap delta beta eta' h0 p') by positive.
+  assert (0 <= v * shoulder_gap delta alpha eta' h0 p') by positive. repeat split.
   - apply (factor_zero u (crown_gap eta' h0 p')); lra.
   - apply (factor_zero l (haunch_gap delta beta eta' h0 p')); lra.
   - apply (factor_zero v (shoulder_gap delta alpha eta' h0 p')); lra.
@@ -272,11 +249,11 @@ Qed.
 Lemma no_outward_limit_within (alpha alpha' mu h : R) : 0 < alpha < alpha' -> alpha' < PI -> 0 <= mu -> 0 < h ->
   0 <= outward_gap alpha' mu h -> 0 < outward_gap alpha mu h.
 Proof.
-  intros Ha Ha' Hmu Hh Hgap. set (phi := atan mu). assert (Hphi : 0 <= phi < PI / 2).
+  intros Ha Ha' Hmu Hh Hgap. set (phi := atan mu). assert (0 <= phi < PI / 2).
   { split; [|apply atan_bound]. destruct (Req_dec mu 0) as [E | Hne].
     - unfold phi. rewrite E, atan_0. lra.
     - unfold phi. rewrite <- atan_0. apply Rlt_le, atan_increasing. lra. }
-  assert (HC : 0 < cos phi) by (apply cos_gt_0; lra). assert (Hslope : mu * cos phi = sin phi).
+  assert (HC : 0 < cos phi) by positive. assert (Hslope : mu * cos phi = sin phi).
   { replace mu with (tan phi) by apply tan_atan. unfold tan. field. lra. }
   assert (Hturned : forall x, outward_gap x mu h * cos phi = x * cos (x - phi) - h * sin (x - phi)).
   { intros x. rewrite cos_minus, sin_minus. unfold outward_gap, normal_force, shear_force. rewrite <- Hslope. ring. }
@@ -284,16 +261,14 @@ Proof.
   apply (Rmult_lt_reg_r (cos phi)); [easy|]. rewrite Rmult_0_l, Hturned. set (y := alpha - phi) in *.
   set (y' := alpha' - phi) in *. destruct (Rle_lt_dec y 0) as [Hy | Hy].
   - assert (HPI := PI2_3_2). assert (0 < cos y) by (apply cos_gt_0; unfold y in *; lra).
-    assert (0 < alpha * cos y) by (apply Rmult_lt_0_compat; lra).
+    assert (0 < alpha * cos y) by positive.
     assert (0 <= h * sin (- y)) by (apply Rmult_le_pos; [lra | apply sin_ge_0; unfold y in *; lra]).
     rewrite sin_neg in *. lra.
-  - assert (Hyy : y < y' < PI) by (unfold y, y'; lra). assert (HS : 0 < sin y) by (apply sin_gt_0; lra).
-    assert (HS' : 0 < sin y') by (apply sin_gt_0; lra).
-    assert (Hfalls : y' * cot y' < y * cot y) by (apply times_cotangent_falls; lra). assert (Hcot : cot y' <= cot y).
+  - assert (y < y' < PI) by (unfold y, y'; lra). assert (0 < sin y) by positive. assert (0 < sin y') by positive.
+    assert (y' * cot y' < y * cot y) by (apply times_cotangent_falls; lra). assert (cot y' <= cot y).
     { apply Rlt_le, Rminus_gt_0_lt. unfold cot.
       replace (cos y / sin y - cos y' / sin y') with (sin (y' - y) / (sin y * sin y'))
-        by (rewrite sin_minus; field; lra).
-      apply Rdiv_lt_0_compat; [apply sin_gt_0; lra | now apply Rmult_lt_0_compat]. }
+        by (rewrite sin_minus; field; lra). apply Rdiv_lt_0_compat; positive. }
     assert (Hbound : h <= alpha' * cot y').
     { apply (Rmult_le_reg_r (sin y')); [easy|]. unfold cot.
       replace (alpha' * (cos y' / sin y') * sin y') with (alpha' * cos y') by (field; lra). lra. }
@@ -309,41 +284,35 @@ Theorem no_motion_below_the_widest (delta alpha alpha' beta sigma eta mu h p u l
   0 < normal_force sigma h -> 0 < normal_force alpha h -> arch_stands delta alpha' eta mu ->
   moves delta alpha beta sigma eta mu h p u l v s t -> u = 0 /\ l = 0 /\ v = 0 /\ s = 0 /\ t = 0.
 Proof.
-  intros Hd Hb Ha Ha' Hs Hmu He HNs HNa (h0 & p0 & Hall) Hmoves. assert (Hh0 : 0 < h0).
-  { apply (friction_needs_thrust alpha' mu); try lra. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. now split. }
+  intros Hd Hb Ha Ha' Hs Hmu He HNs HNa (h0 & p0 & Hall) Hmoves.
+  assert (0 < h0) by (apply (friction_needs_thrust delta alpha' eta mu h0 p0); [lra | lra | exact Hall]).
   destruct (Hall 0 ltac:(lra)) as [(_ & _ & Hcrown) _]. destruct (Hall beta ltac:(lra)) as [(_ & Hhaunch & _) _].
   destruct (Hall sigma ltac:(lra)) as [_ Hfs]. destruct (Hall alpha' ltac:(lra)) as [(_ & _ & Hshoulder) Hfa].
   apply Rabs_le_between in Hfs, Hfa.
   replace (normal_force 0 h0) with h0 in Hcrown by (unfold normal_force; rewrite cos_0, sin_0; ring).
-  rewrite cos_0 in Hcrown. assert (HC : 0 <= crown_gap eta h0 p0) by (unfold crown_gap; lra).
-  assert (HL : 0 <= haunch_gap delta beta eta h0 p0) by (unfold haunch_gap; lra).
-  assert (HU : 0 < shoulder_gap delta alpha eta h0 p0).
+  rewrite cos_0 in Hcrown. assert (0 <= crown_gap eta h0 p0) by (unfold crown_gap; lra).
+  assert (0 <= haunch_gap delta beta eta h0 p0) by (unfold haunch_gap; lra).
+  assert (0 < shoulder_gap delta alpha eta h0 p0).
   { apply (extrados_clear_within delta alpha alpha'); try lra. unfold shoulder_gap. lra. }
-  assert (HO : 0 < outward_gap alpha mu h0).
+  assert (0 < outward_gap alpha mu h0).
   { apply (no_outward_limit_within alpha alpha'); try lra. unfold outward_gap. lra. }
-  assert (HI : 0 <= inward_gap sigma mu h0) by (unfold inward_gap; lra).
+  assert (0 <= inward_gap sigma mu h0) by (unfold inward_gap; lra).
   assert (Hwork := work_is_the_same delta alpha beta sigma eta mu h p u l v s t h0 p0
                      ltac:(lra) ltac:(lra) HNs HNa Hmoves).
   destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & (Hp & Hbalance) & _).
-  assert (Hks := slip_factor_positive sigma h ltac:(lra) HNs).
-  assert (Hka := slip_factor_positive alpha h ltac:(lra) HNa).
-  assert (0 <= s * (sin sigma * normal_force sigma h / sigma) * inward_gap sigma mu h0)
-    by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
-  assert (0 <= t * (sin alpha * normal_force alpha h / alpha) * outward_gap alpha mu h0)
-    by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
-  assert (0 <= u * crown_gap eta h0 p0) by (now apply Rmult_le_pos).
-  assert (0 <= l * haunch_gap delta beta eta h0 p0) by (now apply Rmult_le_pos).
-  assert (0 <= v * shoulder_gap delta alpha eta h0 p0) by (apply Rmult_le_pos; lra).
+  assert (0 <= s * (sin sigma * normal_force sigma h / sigma) * inward_gap sigma mu h0) by positive.
+  assert (0 <= t * (sin alpha * normal_force alpha h / alpha) * outward_gap alpha mu h0) by positive.
+  assert (0 <= u * crown_gap eta h0 p0) by positive. assert (0 <= l * haunch_gap delta beta eta h0 p0) by positive.
+  assert (0 <= v * shoulder_gap delta alpha eta h0 p0) by positive.
   assert (Ev : v = 0) by (apply (factor_zero v (shoulder_gap delta alpha eta h0 p0)); lra). assert (Et : t = 0).
   { apply (factor_zero t (sin alpha * normal_force alpha h / alpha * outward_gap alpha mu h0));
-      [now apply Rmult_lt_0_compat | lra]. }
+      [positive | lra]. }
   (* what moves inside has nothing at the shoulder to carry it *)
-  subst v t. assert (Ha0 : 0 < extrados eta - intrados eta * cos beta).
+  subst v t. assert (0 < extrados eta - intrados eta * cos beta).
   { unfold extrados, intrados. destruct (COS_bound beta).
     assert (-1 < cos beta) by (rewrite <- cos_PI; apply cos_decreasing_1; lra). nra. }
-  assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra).
-  assert (0 <= u * (extrados eta - intrados eta * cos beta)) by (apply Rmult_le_pos; lra).
-  assert (0 <= s * sin sigma) by (apply Rmult_le_pos; lra).
+  assert (0 < sin sigma) by positive. assert (0 <= u * (extrados eta - intrados eta * cos beta)) by positive.
+  assert (0 <= s * sin sigma) by positive.
   assert (Eu : u = 0) by (apply (factor_zero u (extrados eta - intrados eta * cos beta)); lra).
   assert (Es : s = 0) by (apply (factor_zero s (sin sigma)); lra). repeat split; lra.
 Qed.
@@ -360,7 +329,7 @@ Proof.
   intros Hd Hb Ha He0 He Hstate Hall HU. assert (Hthick : eta0 <= eta).
   { apply (rotational_thickness_is_least delta alpha beta eta0 Hd Hb Ha He0 Hstate eta He). now exists h, p. }
   split; [easy|]. destruct (Hall 0 ltac:(lra)) as (_ & _ & Hcrown). destruct Hstate as [_ H24].
-  rewrite normal_force_at_crown, cos_0 in Hcrown. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  rewrite normal_force_at_crown, cos_0 in Hcrown. assert (Hv : 0 < 1 - cos alpha) by positive.
   set (h0 := h_lower delta beta eta0) in *. apply whole_thrust_cleared in H24; [|lra|lra].
   assert (Hfalls : 0 <= (eta - eta0) * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0))).
   {
@@ -370,8 +339,7 @@ Proof.
   unfold shoulder_gap, normal_force, extrados in *.
   assert (Hmore : fac delta eta * (1 - cos alpha) * (2 + eta0)
                   <= fac delta eta0 * (1 - cos alpha) * (2 + eta)) by nra. apply Rnot_lt_le. intros Hless.
-  assert (Hpos : 0 < (2 + eta) * (2 + eta0) * ((h0 - h) * (1 - cos alpha))) by (repeat apply Rmult_lt_0_compat; lra).
-  nra.
+  assert (Hpos : 0 < (2 + eta) * (2 + eta0) * ((h0 - h) * (1 - cos alpha))) by positive. nra.
 Qed.
 
 (** ** Symmetric states are enough *)

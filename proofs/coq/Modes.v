@@ -1,22 +1,16 @@
 (** * The seven modes are all there are
 
-    A symmetric mechanism gives rates that are not negative to finitely many joints of the half arch,
-    each at a limit, so that neither the thrust nor the crown moment works on them: hinges at both
-    faces, and joints that slide along themselves, without dilatancy.  In an admissible state few
-    joints are at their limits, so that it is one of [Mechanisms.moves], and with it a sum of four:
+    A symmetric mechanism gives rates that are not negative to finitely many joints of the half arch, each at a limit,
+    so that neither the thrust nor the crown moment works on them: hinges at both faces, and joints that slide along
+    themselves, without dilatancy. In an admissible state few joints are at their limits, so that it is one of
+    [Mechanisms.moves], and with it a sum of four: [x1] is [[r,r,r]], with unlimited friction and no thrust [[r]]; [x2]
+    is [[s,r,r]]; [x3] is [[r,r,s]], [[r,s,r]] or [[r,s]], as [beta] is below [sigma], above it or at the crown; [x4] is
+    [[s,s]]. The haunch is off the shoulder, it is off the crown where that turns, and the joint that slides inwards is
+    off the shoulder. *)
 
-    - [x1] is [[r,r,r]], with unlimited friction and no thrust [[r]];
-    - [x2] is [[s,r,r]];
-    - [x3] is [[r,r,s]], [[r,s,r]] or [[r,s]], as [beta] is below [sigma], above it or at the crown;
-    - [x4] is [[s,s]].
-
-    Where its joints are is proved too: the haunch is off the shoulder, it is off the crown where that
-    turns, and the joint that slides inwards is off the shoulder. *)
-
-From Coq Require Import List.
+From Coq Require Import List Classical.
 Import ListNotations.
-From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
-From Couplet Require Import Mechanisms Room.
+From Couplet Require Import Overturning Room.
 
 (** ** Mechanisms of finitely many joints *)
 
@@ -89,7 +83,7 @@ Proof.
   assert (HO' := HO m (or_introl eq_refl)). clear Hall HI HO. destruct (Req_dec (rate m) 0) as [E0 | E0].
   { exists u, l, v, s, t. simpl. rewrite E0, !Rmult_0_l, !Rplus_0_l. tauto. }
   assert (Hgap : gap delta eta mu h p m = 0) by (apply (Rmult_eq_reg_l (rate m)); lra).
-  assert (Hrate' : 0 < rate m) by lra. destruct m as [w x k]. unfold gap in Hgap. destruct w; simpl in *.
+  assert (0 < rate m) by lra. destruct m as [w x k]. unfold gap in Hgap. destruct w; simpl in *.
   - destruct (HU x Hx Hgap) as [-> | ->].
     + exists (u + k), l, v, s, t.
       assert (Hc : crown_gap eta h p = 0) by (rewrite <- Hgap; symmetry; apply gap_at_crown).
@@ -108,16 +102,14 @@ Qed.
 (** [alpha^2] is more than what [A] is below 2. *)
 Lemma A_above_parabola (alpha : R) : 0 < alpha < PI -> 2 - alpha ^ 2 < A alpha.
 Proof.
-  intros Ha. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra). unfold A.
-  apply (Rmult_lt_reg_r (1 - cos alpha)); [easy|].
+  intros Ha. assert (0 < 1 - cos alpha) by positive. unfold A. apply (Rmult_lt_reg_r (1 - cos alpha)); [easy|].
   replace (alpha * sin alpha / (1 - cos alpha) * (1 - cos alpha)) with (alpha * sin alpha) by (field; lra).
   destruct (MVT_cor2 (fun t => t * sin t - (2 - t ^ 2) * (1 - cos t)) (fun t =>
     t - sin t + t * (1 - cos t) + t ^ 2 * sin t) 0 alpha) as (c & Hc & Hin); [lra | |].
   - intros c Hc. auto_derive; [easy | ring].
-  - rewrite cos_0, sin_0 in Hc. assert (sin c < c) by (apply sin_lt_x; lra).
-    assert (0 < sin c) by (apply sin_gt_0; lra).
+  - rewrite cos_0, sin_0 in Hc. assert (sin c < c) by (apply sin_lt_x; lra). assert (0 < sin c) by positive.
     assert (0 <= c * (1 - cos c)) by (apply Rmult_le_pos; destruct (COS_bound c); lra).
-    assert (0 < c ^ 2 * sin c) by (apply Rmult_lt_0_compat; nra). nra.
+    assert (0 < c ^ 2 * sin c) by positive. nra.
 Qed.
 
 Section Places.
@@ -128,30 +120,28 @@ Hypotheses (state : admissible_state delta alpha eta mu h p) (flag : 0 <= delta 
   (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2) (rough : 0 < mu).
 
 Let thrust : 0 < h := thrust_positive state opening rough.
+Let carries := compressed state flag opening thickness rough.
 
 (** No joint is at both faces, *)
 Lemma not_at_both_faces (x : R) : 0 <= x <= alpha ->
   shoulder_gap delta x eta h p = 0 -> haunch_gap delta x eta h p <> 0.
 Proof.
-  intros Hx EU EL. assert (HN := compressed state flag opening thickness rough x Hx).
-  unfold shoulder_gap, haunch_gap, extrados, intrados in *. nra.
+  intros Hx EU EL. assert (HN := carries x Hx). unfold shoulder_gap, haunch_gap, extrados, intrados in *. nra.
 Qed.
 
 (** nor does one slide both ways. *)
 Lemma not_both_ways : inward_gap alpha mu h = 0 -> outward_gap alpha mu h <> 0.
 Proof.
-  assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)). unfold inward_gap, outward_gap in *.
-  nra.
+  assert (HN := carries alpha ltac:(lra)). unfold inward_gap, outward_gap in *. nra.
 Qed.
 
 (** The intrados is not reached at a shoulder that slides outwards: the line of thrust comes from below. *)
 Lemma intrados_free_at_sliding_shoulder : outward_gap alpha mu h = 0 -> haunch_gap delta alpha eta h p <> 0.
 Proof.
-  intros EO EL. assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
-  assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra). assert (Hfac := centroids_positive delta eta ltac:(lra)).
+  intros EO EL. assert (HN := carries alpha ltac:(lra)).
+  assert (HS : 0 < sin alpha) by positive. assert (Hfac := centroids_positive delta eta ltac:(lra)).
   set (D := (fac delta eta - intrados eta) * sin alpha - intrados eta * shear_force alpha h). assert (HD : 0 < D).
-  { unfold outward_gap in EO. unfold D.
-    assert (0 < (fac delta eta - intrados eta) * sin alpha) by (apply Rmult_lt_0_compat; unfold intrados; lra).
+  { unfold outward_gap in EO. unfold D. assert (0 < (fac delta eta - intrados eta) * sin alpha) by positive.
     assert (0 <= intrados eta * - shear_force alpha h) by (apply Rmult_le_pos; unfold intrados; nra). lra. }
   assert (Hderive : derivable_pt_lim (fun x => haunch_gap delta x eta h p) alpha D).
   { unfold haunch_gap, normal_force. auto_derive; [easy|]. unfold D, shear_force. ring. }
@@ -162,14 +152,14 @@ Proof.
   assert (Hclose : Rabs k < d) by (rewrite Rabs_left; lra). assert (H := Hd k ltac:(lra) Hclose).
   apply Rabs_def2 in H. destruct (margins_not_negative state (alpha + k) ltac:(lra)) as (_ & HL & _).
   set (L := haunch_gap delta (alpha + k) eta h p) in *. assert (E : (L - 0) / k = - (L / - k)) by (field; lra).
-  assert (0 <= L / - k) by (apply Rdiv_le_0_compat; lra). nra.
+  assert (0 <= L / - k) by positive. nra.
 Qed.
 
 (** A shoulder on the extrados asks for a thrust. *)
 Lemma thrust_of_extrados : shoulder_gap delta alpha eta h p = 0 -> A alpha <= h + 1.
 Proof.
   intros EU. destruct (margins_not_negative state 0 ltac:(lra)) as (HU & _).
-  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra). assert (Hfac : fac delta eta <= extrados eta).
+  assert (0 < 1 - cos alpha) by positive. assert (fac delta eta <= extrados eta).
   { unfold fac, extrados. nra. }
   unfold A. apply (Rmult_le_reg_r (1 - cos alpha)); [easy|].
   replace (alpha * sin alpha / (1 - cos alpha) * (1 - cos alpha)) with (alpha * sin alpha) by (field; lra).
@@ -181,17 +171,13 @@ Qed.
 Lemma steepest_joint_above : h < 1 ->
   shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 -> beta_s h < alpha.
 Proof.
-  intros H1 Hlimit. assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
-  destruct Hlimit as [EU | EO].
+  intros H1 Hlimit. assert (HN := carries alpha ltac:(lra)). destruct Hlimit as [EU | EO].
   - assert (HA := thrust_of_extrados EU). assert (Hparabola := A_above_parabola alpha opening).
     assert (Hsquare := beta_s_square h ltac:(lra)). nra.
   - apply Rnot_le_lt. intros H.
     assert (Hgrows := steepness_grows_before_beta_s h 0 alpha ltac:(lra) ltac:(lra) ltac:(lra) H).
-    assert (Hshoulder : steepness alpha h = - mu).
-    { unfold outward_gap in EO. unfold steepness. apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra].
-      field_simplify; lra. }
-    unfold steepness at 1 in Hgrows. unfold shear_force in Hgrows.
-    rewrite sin_0, Rmult_0_l, Rmult_0_r, Rminus_0_r in Hgrows. lra.
+    assert (Hshoulder := proj2 (steepness_at_limit alpha mu h HN) EO). unfold steepness at 1 in Hgrows.
+    unfold shear_force in Hgrows. rewrite sin_0, Rmult_0_l, Rmult_0_r, Rminus_0_r in Hgrows. lra.
 Qed.
 
 (** and if one slides inwards it is that one. *)
@@ -199,23 +185,17 @@ Lemma slides_at_steepest_joint (sigma : R) : 0 < sigma <= alpha -> inward_gap si
   shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 ->
   h < 1 /\ sigma = beta_s h /\ beta_s h < alpha /\ mu = mu_is h.
 Proof.
-  intros Hs EI Hlimit. assert (HN : forall x, 0 <= x <= alpha -> 0 < normal_force x h)
-    by (intros x; now apply (@compressed delta alpha eta mu h p)). assert (HNa := HN alpha ltac:(lra)).
-  assert (HNs := HN sigma ltac:(lra)). assert (Hsteep : steepness sigma h = mu).
-  { unfold inward_gap in EI. unfold steepness. apply (Rmult_eq_reg_r (normal_force sigma h)); [|lra].
-    field_simplify; lra. }
-  assert (H1 : h < 1).
-  { assert (Hbelow := times_cosine_below_sine sigma ltac:(lra)). assert (0 < sin sigma) by (apply sin_gt_0; lra).
+  intros Hs EI Hlimit. assert (HNa := carries alpha ltac:(lra)). assert (HNs := carries sigma ltac:(lra)).
+  assert (Hsteep := proj1 (steepness_at_limit sigma mu h HNs) EI). assert (H1 : h < 1).
+  { assert (Hbelow := times_cosine_below_sine sigma ltac:(lra)). assert (0 < sin sigma) by positive.
     unfold inward_gap, shear_force in EI. nra. }
   assert (Hb := beta_s_positive h ltac:(lra)). assert (Habove := steepest_joint_above H1 Hlimit).
   assert (Es : sigma = beta_s h).
   { destruct (Req_dec sigma (beta_s h)) as [E | E]; [easy | exfalso].
     assert (Hless := steepest_joint h alpha sigma ltac:(lra) ltac:(lra) HNa ltac:(lra) ltac:(lra) E).
     destruct (margins_not_negative state (beta_s h) ltac:(lra)) as (_ & _ & HI & _).
-    assert (HNb := HN (beta_s h) ltac:(lra)). assert (steepness (beta_s h) h <= mu).
-    { unfold inward_gap in HI. unfold steepness. apply (Rmult_le_reg_r (normal_force (beta_s h) h)); [easy|].
-      field_simplify; lra. }
-    lra. }
+    assert (steepness (beta_s h) h <= mu); [|lra]. apply steepness_at_most; [apply carries; lra |].
+    unfold inward_gap in HI. lra. }
   repeat split; try easy. rewrite mu_is_from_statics by lra. now rewrite <- Es.
 Qed.
 
@@ -224,9 +204,8 @@ Lemma extrados_free_at_inward_shoulder : shoulder_gap delta alpha eta h p = 0 ->
 Proof. intros EU EI. destruct (slides_at_steepest_joint alpha) as (_ & Es & Habove & _); try lra; tauto || easy. Qed.
 
 (** So few joints are at their limits. *)
-Theorem limits_of_a_state (x y : R) : 0 <= x <= alpha -> 0 <= y <= alpha ->
-  (shoulder_gap delta x eta h p = 0 -> x = 0 \/ x = alpha) /\
-  (haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y) /\
+Theorem limits_of_a_state (x y : R) : 0 <= x <= alpha -> 0 <= y <= alpha -> (shoulder_gap delta x eta h p = 0 ->
+    x = 0 \/ x = alpha) /\ (haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y) /\
   (inward_gap x mu h = 0 -> inward_gap y mu h = 0 -> x = y) /\ (outward_gap x mu h = 0 -> x = alpha) /\
   (inward_gap x mu h = 0 -> shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 -> 0 < x < alpha).
 Proof.
@@ -245,9 +224,8 @@ Theorem sliding_is_pure (sigma : R) : 0 < sigma <= alpha -> inward_gap sigma mu 
   h < 1 /\ sigma = beta_s h /\ mu = mu_is h /\ mu = mu_ss alpha h.
 Proof.
   intros Hs EI EO. destruct (slides_at_steepest_joint sigma Hs EI (or_intror EO)) as (H1 & Es & _ & Emu).
-  assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)). repeat split; try easy.
-  rewrite shoulder_friction_from_statics. unfold outward_gap in EO. unfold steepness.
-  apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra]. field_simplify; lra.
+  assert (HN := carries alpha ltac:(lra)). repeat split; try easy.
+  rewrite shoulder_friction_from_statics, (proj2 (steepness_at_limit alpha mu h HN) EO). ring.
 Qed.
 
 (** ** With finite friction *)
@@ -287,17 +265,15 @@ Proof.
   { unfold a, extrados, intrados. destruct (COS_bound beta).
     assert (-1 < cos beta) by (rewrite <- cos_PI; apply cos_decreasing_1; lra). nra. }
   assert (Hzero : forall k g, 0 < k -> k * g = 0 -> g = 0) by (intros k g Hk E; apply (Rmult_eq_reg_l k); lra).
-  assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra). assert (HSa : 0 < sin alpha) by (apply sin_gt_0; lra).
+  assert (HSs : 0 < sin sigma) by positive. assert (HSa : 0 < sin alpha) by positive.
   assert (Hfactor : forall k g x, 0 <= k -> g * k = x -> 0 < x -> 0 < k)
     by (intros k g x Hk E Hx; destruct (Req_dec k 0) as [Z | Z]; [rewrite Z in E|]; lra).
   assert (Harm : 0 < v -> 0 < b).
-  { intros Hv0. apply (lever_positive_in_any_state delta alpha beta eta h p); try easy; try lra.
-    - apply (Hzero l); [lra | easy].
-    - apply (Hzero v); [lra | easy]. }
+  { intros Hv0. apply (lever_positive_in_any_state delta alpha beta eta h p); try easy; try lra;
+      [apply (Hzero l); [lra | easy] | apply (Hzero v); [lra | easy]]. }
   assert (Hcrown : 0 < u -> 0 < beta).
   { intros Hu0. destruct (Req_dec beta 0) as [E | E]; [exfalso | lra]. apply (not_at_both_faces 0); [lra | |].
-    - assert (EC := Hzero u _ Hu0 HC). unfold crown_gap in EC. unfold shoulder_gap, normal_force.
-      rewrite cos_0, sin_0. lra.
+    - rewrite gap_at_crown. now apply (Hzero u).
     - assert (EL := Hzero l _ ltac:(lra) HL). now rewrite E in EL. }
   assert (Hshoulder : 0 < v -> beta < alpha).
   { intros Hv0. destruct (Req_dec beta alpha) as [E | E]; [exfalso | lra].
@@ -334,48 +310,35 @@ End Places.
 (** Hinges alone are left, and the only mode is [[r,r,r]], or [[r]] where there is no thrust: then the
     haunch is at the crown, which opens at both faces. *)
 Theorem modes_without_limit (delta alpha eta h p : R) (motions : list motion) : 0 <= delta <= 1 -> 0 < alpha < PI ->
-  0 < eta <= 2 -> (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
-  (forall m, In m motions -> moves_by m = AboutExtrados \/ moves_by m = AboutIntrados) ->
-  is_mechanism delta alpha eta 0 h p motions -> exists beta u v, 0 <= beta <= alpha /\
-  moves delta alpha beta alpha eta 0 h p u (u + v) v 0 0 /\ work (of_way AboutExtrados) motions = u + v /\
-  work (of_way AboutIntrados) motions = u + v /\
+  0 < eta <= 2 -> (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) -> (forall m, In m motions ->
+    moves_by m = AboutExtrados \/ moves_by m = AboutIntrados) -> is_mechanism delta alpha eta 0 h p motions ->
+  exists beta u v, 0 <= beta <= alpha /\ moves delta alpha beta alpha eta 0 h p u (u + v) v 0 0 /\
+  work (of_way AboutExtrados) motions = u + v /\ work (of_way AboutIntrados) motions = u + v /\
   (extrados eta - intrados eta * cos beta) * u = (intrados eta * cos beta - extrados eta * cos alpha) * v /\
   (0 < u + v -> (0 < u /\ 0 < v) /\ (0 < h -> 0 < beta < alpha) /\ (h = 0 -> beta = 0 /\ p = 0)).
 Proof.
   intros Hd Ha He Hstate Hhinges (Hall & Wthrust & Wmoment). assert (HPI := PI_RGT_0).
   assert (Hgaps : forall x, 0 <= x <= alpha -> 0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p).
   { intros x Hx. destruct (Hstate x Hx) as (_ & Hin & Hout). unfold shoulder_gap, haunch_gap. lra. }
-  assert (Hcrown : shoulder_gap delta 0 eta h p = crown_gap eta h p).
-  { unfold shoulder_gap, crown_gap, normal_force. rewrite cos_0, sin_0. ring. }
-  assert (Hh : 0 <= h).
-  { destruct (Hstate 0 ltac:(lra)) as (HN & _). rewrite normal_force_at_crown in HN. lra. }
+  assert (Hcrown := gap_at_crown delta eta h p).
+  assert (Hh : 0 <= h) by (destruct (Hstate 0 ltac:(lra)) as (HN & _); rewrite normal_force_at_crown in HN; lra).
   assert (Hextrados : forall x, 0 <= x <= alpha -> shoulder_gap delta x eta h p = 0 -> x = 0 \/ x = alpha).
   { intros x Hx E. destruct (Req_dec x 0) as [H0 | H0]; [now left|].
     destruct (Req_dec x alpha) as [H1 | H1]; [now right | exfalso]. destruct (Hgaps 0 ltac:(lra)) as [HC _].
     destruct (Hgaps alpha ltac:(lra)) as [HS _]. assert (H : 0 < shoulder_gap delta x eta h p); [|lra].
     apply (extrados_clear_within delta x alpha); try easy; lra. }
-  assert (Honce : forall x y, 0 <= x <= alpha -> 0 <= y <= alpha ->
-            haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y).
+  destruct (named_if_once (fun x => haunch_gap delta x eta h p = 0) alpha) as (beta & Hb & Hbeta); [lra | |].
   { intros x y. apply intrados_touched_once; try easy; try lra. now apply Hgaps. }
-  assert (Hhaunch : exists beta, 0 <= beta <= alpha /\
-            forall x, 0 <= x <= alpha -> haunch_gap delta x eta h p = 0 -> x = beta).
-  { destruct (Classical_Prop.classic (exists b, 0 <= b <= alpha /\ haunch_gap delta b eta h p = 0))
-      as [(b & Hb & E) | Hnone].
-    - exists b. split; [easy|]. intros x Hx Ex. now apply Honce.
-    - exists 0. split; [lra|]. intros x Hx Ex. exfalso. apply Hnone. now exists x. }
-  destruct Hhaunch as (beta & Hb & Hbeta).
   destruct (gathered delta alpha eta 0 h p beta alpha motions)
     as (u & l & v & s & t & Hpos & Eu & El & Ev & Es & Et & W & M & Wu & Wl & Ws & Wt); try easy.
-  { intros m Hm _ E. destruct (Hhinges m Hm) as [H | H]; rewrite H in E; easy. }
-  { intros m Hm _ E. destruct (Hhinges m Hm) as [H | H]; rewrite H in E; easy. }
+  1-2: intros m Hm _ E; destruct (Hhinges m Hm) as [H | H]; rewrite H in E; easy.
   assert (Hslips : forall w, w = SlidesInwards \/ w = SlidesOutwards -> work (of_way w) motions = 0).
   { intros w Hw. clear - Hhinges Hw. induction motions as [|m motions IH]; [easy|]. simpl.
     rewrite IH; [|now intros n Hn; apply Hhinges; right].
     destruct (Hhinges m (or_introl eq_refl)) as [E | E]; destruct Hw as [-> | ->]; unfold of_way; rewrite E; ring. }
   rewrite (Hslips SlidesInwards) in Ws by tauto. rewrite (Hslips SlidesOutwards) in Wt by tauto. subst s t.
   rewrite Wthrust in W. assert (El' : l = u + v) by lra. rewrite El' in El, W, Wl, Hpos. clear El' M l.
-  assert (Hmoves : moves delta alpha beta alpha eta 0 h p u (u + v) v 0 0).
-  { repeat split; try easy; lra. }
+  assert (Hmoves : moves delta alpha beta alpha eta 0 h p u (u + v) v 0 0) by (repeat split; try easy; lra).
   destruct (four_supports delta alpha beta alpha eta 0 h p u (u + v) v 0 0)
     as (x1 & x2 & x3 & x4 & P1 & P2 & P3 & P4 & Fu & Fv & Fs & Ft & _); try easy; try lra.
   assert (x2 = 0 /\ x3 = 0 /\ x4 = 0) as (-> & -> & ->) by lra. exists beta, u, v. split; [easy|]. split; [easy|].
@@ -395,11 +358,10 @@ Proof.
     + destruct (Req_dec beta 0) as [E | E]; [exfalso | lra]. rewrite E in HL. unfold haunch_gap, normal_force in HL.
       rewrite cos_0, sin_0 in HL. unfold crown_gap, extrados, intrados in *. nra.
     + destruct (Req_dec beta alpha) as [E | E]; [exfalso | lra]. rewrite E in HL.
-      assert (Hfac := centroids_positive delta eta ltac:(lra)).
-      assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-      assert (0 < fac delta eta * (1 - cos alpha)) by (apply Rmult_lt_0_compat; lra). assert (0 <= p).
+      assert (Hfac := centroids_positive delta eta ltac:(lra)). assert (Hv : 0 < 1 - cos alpha) by positive.
+      assert (0 < fac delta eta * (1 - cos alpha)) by positive. assert (0 <= p).
       { destruct (Hgaps 0 ltac:(lra)) as [_ HL0]. unfold haunch_gap, normal_force in HL0. rewrite cos_0, sin_0 in HL0.
-        assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra. }
+        assert (0 <= intrados eta * h) by positive. lra. }
       unfold shoulder_gap, haunch_gap, extrados, intrados in HS, HL. nra.
   - intros Hh0. split.
     + symmetry. apply Hbeta; [lra|]. unfold haunch_gap, normal_force, crown_gap in *. rewrite cos_0, sin_0, Hh0 in *.

@@ -1,16 +1,12 @@
 (** * (2)-(6) follow from the equilibrium of the half arch
 
-    - (6) is the centroid of a wedge of the ring, with its integrals;
-    - the forces in a joint and its pressure point are what equilibrium of the part above it says;
-    - (2) and (4): the line of thrust passes through the extrados of the crown and the intrados of
-      the haunch, or the extrados of the shoulder, exactly for the printed thrust;
-    - (3) the same for the part below the haunch, and (2) with (4) imply (3);
-    - (5): where the line of thrust is on the intrados it touches it exactly for the printed thrust;
-    - the two printed forms of [A] and of (5) are the same.
+    (6) is the centroid of a wedge of the ring. (2) and (4): the line of thrust passes through the extrados of the crown
+    and the intrados of the haunch, or the extrados of the shoulder, exactly for the printed thrust; (3) the same for
+    the part below the haunch. (5): where the line of thrust is on the intrados it touches it exactly for the printed
+    thrust.
 
-    Each theorem names the denominators that must not vanish, and the joints that must carry a
-    normal force; in an arch, [0 < eta < 2] and [0 < beta < alpha < PI], the lever arms in (2) and
-    (4) are positive. *)
+    Each theorem names the denominators that must not vanish, and the joints that must carry a normal force; in an arch,
+    [0 < eta < 2] and [0 < beta < alpha < PI], the lever arms in (2) and (4) are positive. *)
 
 From Coq Require Export Reals Lra.
 From Coquelicot Require Export Coquelicot.
@@ -26,10 +22,8 @@ Proof. intros HF HF' ->. apply (is_RInt_derive F F'); auto. Qed.
 (** The area of the wedge per unit angle is the thickness, whatever the weight model. *)
 Theorem wedge_area (eta : R) : is_RInt (fun rho => rho) (intrados eta) (extrados eta) eta.
 Proof.
-  apply (integral_of_derivative (fun x => x ^ 2 / 2)).
-  - intros x. auto_derive; [easy | field].
-  - intros x. apply continuous_id.
-  - unfold extrados, intrados; field.
+  apply (integral_of_derivative (fun x => x ^ 2 / 2)); [intros x; auto_derive; [easy | field]
+    | intros x; apply continuous_id | unfold extrados, intrados; field].
 Qed.
 
 (** The first moment of the wedge about the centre, per unit angle. *)
@@ -78,8 +72,8 @@ Proof. intros Hg Hr Ht Hd w. unfold w. field. auto. Qed.
 
 (** ** Equilibrium of the part above a joint
 
-    On it act the thrust [h] at the radius [crown] of the crown, its weight [beta] with the moment
-    above, and in the joint the forces [N] at the radius [rho] and [T] along the radius. *)
+    On it act the thrust [h] at the radius [crown] of the crown, its weight [beta] with the moment above, and in the
+    joint the forces [N] at the radius [rho] and [T] along the radius. *)
 
 Theorem equilibrium_of_upper_part (delta beta eta h crown N T rho : R) : normal_force beta h <> 0 ->
   h - N * cos beta + T * sin beta = 0 /\ N * sin beta + T * cos beta - beta = 0 /\
@@ -90,9 +84,8 @@ Proof.
   - intros (Hx & Hy & Hm). assert (Hforces : N = normal_force beta h /\ T = shear_force beta h).
     { unfold normal_force, shear_force. revert Hx Hy Hcircle. generalize (sin beta) (cos beta).
       intros s c Hx Hy Hcircle. replace h with (N * c - T * s) by lra. replace beta with (N * s + T * c) by lra.
-      split.
-      - transitivity (N * (s * s + c * c)); [rewrite Hcircle|]; ring.
-      - transitivity (T * (s * s + c * c)); [rewrite Hcircle|]; ring. }
+      split; [transitivity (N * (s * s + c * c)); [rewrite Hcircle|]; ring
+        | transitivity (T * (s * s + c * c)); [rewrite Hcircle|]; ring]. }
     destruct Hforces as [EN ET]. repeat split; [easy | easy |]. unfold pressure_point. rewrite <- EN in HN |- *.
     apply (Rmult_eq_reg_l N); [|easy]. field_simplify; [lra | easy].
   - intros (-> & -> & ->). unfold pressure_point. repeat split.
@@ -113,6 +106,23 @@ Proof.
   intros [H0 H1]. replace alpha with (2 * (alpha / 2)) by field. rewrite cos_2a_sin.
   assert (0 < sin (alpha / 2)) by (apply sin_gt_0; lra). nra.
 Qed.
+
+(** A product, a quotient or a power of what is, a sine, a cosine or a versine in its range. *)
+Ltac positive := first [
+  match goal with
+  | |- 0 < _ * _ => apply Rmult_lt_0_compat
+  | |- 0 <= _ * _ => apply Rmult_le_pos
+  | |- 0 < _ / _ => apply Rdiv_lt_0_compat
+  | |- 0 <= _ / _ => apply Rdiv_le_0_compat
+  | |- 0 < _ ^ _ => apply pow_lt
+  | |- 0 <= _ ^ 2 => apply pow2_ge_0
+  | |- 0 < sin _ => apply sin_gt_0
+  | |- 0 <= sin _ => apply sin_ge_0
+  | |- 0 < cos _ => apply cos_gt_0
+  | |- 0 <= cos _ => apply cos_ge_0
+  | |- 0 < 1 - cos _ => apply versine_positive
+  | |- _ <> 0 => apply not_eq_sym, Rlt_not_eq
+  end; positive | lra | unfold intrados, extrados; lra | nra ].
 
 (** ** Clearing denominators *)
 
@@ -260,5 +270,5 @@ Proof.
   intros H E. assert (P : 0 < eta * (12 + 6 * eta - eta ^ 2)) by nra.
   assert (D : (1 + eta / 2) * fac 1 (eta / (1 + eta / 2)) - fac 1 eta
     = eta * (12 + 6 * eta - eta ^ 2) / (24 * (1 + eta / 2))) by (unfold fac; field; lra).
-  assert (0 < eta * (12 + 6 * eta - eta ^ 2) / (24 * (1 + eta / 2))) by (apply Rdiv_lt_0_compat; lra). lra.
+  assert (0 < eta * (12 + 6 * eta - eta ^ 2) / (24 * (1 + eta / 2))) by positive. lra.
 Qed.

@@ -1,15 +1,12 @@
 (** * Purely overturning states and the end of rotation: (13)-(16)
 
-    - [A(alpha)] falls strictly, so that equal [A] means equal half-angle of embrace;
-    - (13) from (4), and from (3) at the crown, with [h = 0];
-    - (14), (15): the inverses, with their branch and range, and the values at [l] and [L];
-    - (16) **as printed is false**: it does not follow from (5) and does not have the root the paper
-      gives; the corrected equation does both;
-    - the slopes of (14), (15) where they join the rotational states.
+    [A(alpha)] falls strictly, so that equal [A] means equal half-angle of embrace. (13) follows from (4), and from (3)
+    at the crown, with [h = 0]; (14), (15) are the inverses, with their branch and range, and the values at [l] and [L].
+    (16) **as printed is false**: it does not follow from (5) and does not have the root the paper gives; the corrected
+    equation does both.
 
-    The paper's comparison of the two self-weights (Sec. 3: [beta_r] wider and [eta] lower for
-    Milankovitch's) holds at the points J and B with equality only: [beta_r = 0] defines both points
-    and [eta = 2] defines B, for either weight.  There is nothing to prove about that. *)
+    The paper's comparison of the two self-weights (Sec. 3: [beta_r] wider and [eta] lower for Milankovitch's) holds at
+    J and B with equality only: [beta_r = 0] defines both points and [eta = 2] defines B, for either weight. *)
 
 From Couplet Require Import Moments Cubics.
 
@@ -27,9 +24,9 @@ Qed.
 Theorem A_strictly_decreasing (a b : R) : 0 < a -> a < b -> b < 2 * PI -> A b < A a.
 Proof.
   intros Ha Hab Hb. destruct (MVT_cor2 A (fun x => - (x - sin x) / (1 - cos x)) a b Hab) as (c & Hc & Hin).
-  { intros c Hc. apply is_derive_Reals, derivative_of_A. apply Rgt_not_eq, versine_positive; lra. }
-  assert (0 < 1 - cos c) by (apply versine_positive; lra). assert (sin c < c) by (apply sin_lt_x; lra).
-  assert (0 < (c - sin c) / (1 - cos c)) by (apply Rdiv_lt_0_compat; lra).
+  { intros c Hc. apply is_derive_Reals, derivative_of_A. positive. }
+  assert (0 < 1 - cos c) by positive. assert (sin c < c) by (apply sin_lt_x; lra).
+  assert (0 < (c - sin c) / (1 - cos c)) by positive.
   replace (- (c - sin c) / (1 - cos c)) with (- ((c - sin c) / (1 - cos c))) in Hc by (field; lra). nra.
 Qed.
 
@@ -47,7 +44,7 @@ Theorem half_opening v lo hi : 0 < lo -> lo < hi -> hi < 2 * PI -> v < A lo -> A
 Proof.
   intros H0 Hlohi Hpi Hlo Hhi.
   destruct (Ranalysis5.IVT_interv (fun x => v - A x) lo hi) as [alpha [Halpha Hroot]]; try lra.
-  - intros x Hx. assert (0 < 1 - cos x) by (apply versine_positive; lra).
+  - intros x Hx. assert (0 < 1 - cos x) by positive.
     apply continuity_pt_filterlim, (ex_derive_continuous (fun x => v - A x)).
     apply @ex_derive_minus; [apply ex_derive_const | eexists; apply derivative_of_A; lra].
   - assert (alpha <> lo /\ alpha <> hi) by (split; intros ->; lra). exists alpha. split; [lra | split; [lra |]].
@@ -159,14 +156,11 @@ Proof.
       now rewrite Ropp_0, Rplus_0_r. }
     assert (sin x <> 0).
     { apply Rabs_def2 in Hdist. destruct (Rtotal_order x 0) as [Hneg | [H0 | Hpos]]; [|easy|].
-      - assert (0 < sin (- x)) by (apply sin_gt_0; lra). rewrite sin_neg in *. lra.
-      - assert (0 < sin x) by (apply sin_gt_0; lra). lra. }
+      - assert (0 < sin (- x)) by positive. rewrite sin_neg in *. lra.
+      - assert (0 < sin x) by positive. lra. }
     field. split; assumption. }
-  replace (Finite 1) with (Rbar_div (cos 0) 1) by (rewrite cos_0; simpl; f_equal; field). apply is_lim_div.
-  - apply is_lim_continuity, continuity_cos.
-  - exact is_lim_sinc_0.
-  - injection. lra.
-  - easy.
+  replace (Finite 1) with (Rbar_div (cos 0) 1) by (rewrite cos_0; simpl; f_equal; field). apply is_lim_div;
+    [apply is_lim_continuity, continuity_cos | exact is_lim_sinc_0 | injection; lra | easy].
 Qed.
 
 (** (5) at the crown: its limit is the left side of the corrected (16). *)

@@ -10,10 +10,9 @@ Import ListNotations.
 Open Scope R_scope.
 
 (** The least of finitely many classes is least of all. *)
-Lemma least_of_classes {X} (v : X -> R) (place : X -> Prop) o (Ho : place o) tests : forall P : X -> Prop,
-  (forall x, place x -> P x -> exists y, place y /\
-     forall z, place z -> P z -> (forall t, In t tests -> (t z <-> t x)) -> v y <= v z) ->
-  exists y, place y /\ forall z, place z -> P z -> v y <= v z.
+Lemma least_of_classes {X} (v : X -> R) (place : X -> Prop) o (Ho : place o) tests : forall P : X ->
+  Prop, (forall x, place x -> P x -> exists y, place y /\ forall z, place z -> P z -> (forall t, In t tests ->
+    (t z <-> t x)) -> v y <= v z) -> exists y, place y /\ forall z, place z -> P z -> v y <= v z.
 Proof.
   induction tests as [| t tests IH]; intros P H.
   - destruct (classic (exists x, place x /\ P x)) as [(x & Hx & HP) | Hnone].
@@ -64,10 +63,9 @@ Proof.
     destruct Hend as [-> | (e & He & E)]; [now left | right; exists e; split; [now right | easy]]. }
   rewrite Hf in Hlow. assert (Hne : f x <> 0) by (intros Z; rewrite (Htight Z), Z in Hlow; lra).
   set (s := f x / (f x - f y)). assert (Hfall : f y < f x) by nra. assert (Hs : 0 < s) by (apply Rdiv_lt_0_compat; lra).
-  assert (E : f x = s * (f x - f y)) by (unfold s; field; lra). assert (Hst : s < t) by nra.
-  exists s. split; [lra |]. split; [| right; exists f; split; [now left | rewrite Hf; split; lra]].
-  intros h [<- | Hh]; [rewrite Hf; lra |]. assert (A := Hall h Hh). destruct (H h (or_intror Hh)) as (Hh' & B & _).
-  rewrite Hh' in *. nra.
+  assert (E : f x = s * (f x - f y)) by (unfold s; field; lra). assert (Hst : s < t) by nra. exists s. split; [lra |].
+  split; [| right; exists f; split; [now left | rewrite Hf; split; lra]]. intros h [<- | Hh]; [rewrite Hf; lra |].
+  assert (A := Hall h Hh). destruct (H h (or_intror Hh)) as (Hh' & B & _). rewrite Hh' in *. nra.
 Qed.
 
 (** From each point one comes to a corner at which a form is no larger, if it grows where no other one falls. *)

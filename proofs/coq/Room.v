@@ -1,13 +1,12 @@
 (** * An arch whose states leave no room moves
 
-    A state leaves room where no joint is at a limit. If none does, five of the margins have no
-    common point where they are positive, and their multipliers, Gordan's theorem of [Cones], are the
-    rates of a mechanism. If one does, thinner arches stand and wider ones. So an arch moves at its
-    least thickness, and with the widest half-angle of its thickness. *)
+    A state leaves room where no joint is at a limit. If none does, five of the margins have no common point where they
+    are positive, and their multipliers, Gordan's theorem of [Cones], are the rates of a mechanism. If one does, thinner
+    arches stand and wider ones. So an arch moves at its least thickness, and with its widest half-angle. *)
 
 From Coq Require Import List Classical.
 Import ListNotations.
-From Couplet Require Import Moments Cubics Sliding Joining Contact FrictionModes Mechanisms.
+From Couplet Require Export Mechanisms.
 From Couplet Require Cones.
 
 Definition admissible_state (delta alpha eta mu h p : R) : Prop :=
@@ -47,14 +46,14 @@ Proof.
   { destruct (Hm x0) as (_ & H1 & H2). assert (H3 := Hnotneg x0 Hx0). destruct (Req_dec (f x0) 0) as [E | E]; [|lra].
     assert (H4 := Hpos x0 Hx0 E). lra. }
   set (G := Rabs (g x1) + 1). assert (HG : 0 < G) by (unfold G; assert (H := Rabs_pos (g x1)); lra).
-  exists (m x0 / (2 * G)). split; [apply Rdiv_lt_0_compat; lra|]. intros t Ht x Hx. assert (Hmx := Hleast x Hx).
+  exists (m x0 / (2 * G)). split; [positive|]. intros t Ht x Hx. assert (Hmx := Hleast x Hx).
   assert (H0 := Hnotneg x Hx). assert (HtG : t * G <= m x0 / 2).
   { replace (m x0 / 2) with (m x0 / (2 * G) * G) by (field; lra). apply Rmult_le_compat_r; lra. }
   destruct (Hm x) as ([E | E] & _).
   - assert (Hgx : - G <= g x).
     { assert (H := Hlow x Hx). assert (H' := Rle_abs (- g x1)). rewrite Rabs_Ropp in H'. unfold G. lra. }
     assert (t * - G <= t * g x) by (apply Rmult_le_compat_l; lra). lra.
-  - assert (0 < t * g x) by (apply Rmult_lt_0_compat; lra). lra.
+  - assert (0 < t * g x) by positive. lra.
 Qed.
 
 (** The margins at two states on a line, at one joint. *)
@@ -79,9 +78,7 @@ Proof. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, s
 (** ** The joints at a limit *)
 
 Lemma centroids_positive (delta eta : R) : 0 <= delta -> 1 <= fac delta eta.
-Proof.
-  intros Hd. unfold fac. assert (0 <= delta * eta ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). lra.
-Qed.
+Proof. intros Hd. unfold fac. assert (0 <= delta * eta ^ 2) by positive. lra. Qed.
 
 Lemma at_one_joint (P : R -> Prop) (alpha : R) : (forall x y, 0 <= x -> x < y <= alpha -> P x -> ~ P y) ->
   forall x y, 0 <= x <= alpha -> 0 <= y <= alpha -> P x -> P y -> x = y.
@@ -90,17 +87,24 @@ Proof.
   destruct (Rtotal_order x y) as [L | [E | L]]; [now destruct (H x y) | easy | now destruct (H y x)].
 Qed.
 
+Lemma named_if_once (P : R -> Prop) (alpha : R) : 0 <= alpha ->
+  (forall x y, 0 <= x <= alpha -> 0 <= y <= alpha -> P x -> P y -> x = y) ->
+  exists b, 0 <= b <= alpha /\ forall x, 0 <= x <= alpha -> P x -> x = b.
+Proof.
+  intros Ha H. destruct (classic (exists b, 0 <= b <= alpha /\ P b)) as [(b & Hb & Pb) | Hnone].
+  - exists b. split; [easy|]. intros x Hx Px. now apply H.
+  - exists 0. split; [lra|]. intros x Hx Px. elim Hnone. now exists x.
+Qed.
+
 (** The line of thrust touches the intrados at one joint only, whatever the thrust. *)
 Lemma intrados_touched_once (delta alpha eta h p x y : R) : 0 <= delta -> alpha < PI -> 0 < eta <= 2 ->
   (forall z, 0 <= z <= alpha -> 0 <= haunch_gap delta z eta h p) -> 0 <= x <= alpha -> 0 <= y <= alpha ->
   haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y.
 Proof.
-  intros Hd Ha He Hall.
-  apply (at_one_joint (fun x => haunch_gap delta x eta h p = 0)). clear x y. intros x y Hx Hy Ex Ey.
-  destruct (Req_dec eta 2) as [E2 | E2].
+  intros Hd Ha He Hall. apply (at_one_joint (fun x => haunch_gap delta x eta h p = 0)). clear x y.
+  intros x y Hx Hy Ex Ey. destruct (Req_dec eta 2) as [E2 | E2].
   - assert (cos y < cos x) by (apply cos_decreasing_1; lra). assert (Hfac := centroids_positive delta eta Hd).
-    assert (0 < fac delta eta * (cos x - cos y)) by (apply Rmult_lt_0_compat; lra). unfold haunch_gap, intrados in *.
-    rewrite E2 in *. lra.
+    assert (0 < fac delta eta * (cos x - cos y)) by positive. unfold haunch_gap, intrados in *. rewrite E2 in *. lra.
   - set (z := (x + y) / 2). assert (Hz := Hall z ltac:(unfold z; lra)).
     assert (H := margin_between (intrados eta) (fac delta eta) h x z y
                    ltac:(unfold intrados; lra) Hx ltac:(unfold z; lra) ltac:(lra)).
@@ -125,15 +129,12 @@ Hypotheses (state : admissible_state delta alpha eta mu h p) (flag : 0 <= delta 
   (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2) (rough : 0 < mu).
 
 Lemma thrust_positive : 0 < h.
-Proof.
-  apply (friction_needs_thrust alpha mu); [lra | lra|]. intros x Hx. destruct (state x Hx) as [[HN _] Hf]. now split.
-Qed.
+Proof. apply (friction_needs_thrust delta alpha eta mu h p); [lra | lra | exact state]. Qed.
 
 Lemma moment_not_negative : 0 <= p.
 Proof.
   assert (Hh := thrust_positive). destruct (state 0 ltac:(lra)) as [(_ & Hlow & _) _].
-  rewrite normal_force_at_crown, cos_0 in Hlow.
-  assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra.
+  rewrite normal_force_at_crown, cos_0 in Hlow. assert (0 <= intrados eta * h) by positive. lra.
 Qed.
 
 Lemma compressed (x : R) : 0 <= x <= alpha -> 0 < normal_force x h.
@@ -141,9 +142,8 @@ Proof.
   intros Hx. assert (Hh := thrust_positive). assert (Hp := moment_not_negative).
   destruct (Req_dec x 0) as [-> | Hne]; [unfold normal_force; rewrite cos_0, sin_0; lra|].
   destruct (state x Hx) as [(HN & _ & Hout) _]. destruct (Req_dec (normal_force x h) 0) as [E | E]; [|lra].
-  rewrite E in Hout. exfalso. assert (0 < 1 - cos x) by (apply versine_positive; lra).
-  assert (0 < fac delta eta * (1 - cos x)).
-  { assert (Hfac := centroids_positive delta eta ltac:(lra)). apply Rmult_lt_0_compat; lra. }
+  rewrite E in Hout. exfalso. assert (0 < 1 - cos x) by positive. assert (0 < fac delta eta * (1 - cos x)).
+  { assert (Hfac := centroids_positive delta eta ltac:(lra)). positive. }
   lra.
 Qed.
 
@@ -171,7 +171,7 @@ Proof.
   intros Hx E. destruct (Req_dec x alpha) as [H1 | H1]; [easy | exfalso]. assert (Hh := thrust_positive).
   destruct (Req_dec x 0) as [-> | H0].
   - unfold outward_gap, normal_force, shear_force in E. rewrite cos_0, sin_0 in E.
-    assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra.
+    assert (0 < mu * h) by positive. lra.
   - destruct (margins_not_negative alpha ltac:(lra)) as (_ & _ & _ & Ho). assert (H : 0 < outward_gap x mu h); [|lra].
     apply (no_outward_limit_within x alpha); lra.
 Qed.
@@ -201,18 +201,14 @@ Proof.
       * assert (steepness x h < steepness (beta_s h) h) by (apply steepness_grows_before_beta_s; lra).
         assert (steepness (beta_s h) h <= mu) by (apply Hsteep; lra). lra.
   - assert (HN := compressed y ltac:(lra)). assert (H := times_cosine_below_sine y ltac:(lra)).
-    assert (0 < sin y) by (apply sin_gt_0; lra). assert (0 < mu * normal_force y h) by (now apply Rmult_lt_0_compat).
+    assert (0 < sin y) by positive. assert (0 < mu * normal_force y h) by positive.
     unfold inward_gap, shear_force in Ey. nra.
 Qed.
 
 (** So they are named, if there are any. *)
 Lemma haunch_of_state : exists beta, 0 <= beta <= alpha /\
   forall x, 0 <= x <= alpha -> haunch_gap delta x eta h p = 0 -> x = beta.
-Proof.
-  destruct (classic (exists b, 0 <= b <= alpha /\ haunch_gap delta b eta h p = 0)) as [(b & Hb & E) | Hnone].
-  - exists b. split; [easy|]. intros x Hx Ex. now apply intrados_reached_once.
-  - exists 0. split; [lra|]. intros x Hx Ex. exfalso. apply Hnone. now exists x.
-Qed.
+Proof. apply (named_if_once (fun x => haunch_gap delta x eta h p = 0)); [lra | exact intrados_reached_once]. Qed.
 
 Lemma slip_of_state : exists sigma, 0 < sigma <= alpha /\
   forall x, 0 <= x <= alpha -> inward_gap x mu h = 0 -> x = sigma.
@@ -221,7 +217,7 @@ Proof.
   destruct (classic (exists b, 0 <= b <= alpha /\ inward_gap b mu h = 0)) as [(b & Hb & E) | Hnone].
   - exists b. split; [|intros x Hx Ex; now apply inward_limit_reached_once].
     destruct (Req_dec b 0) as [-> | Hne]; [exfalso | lra]. unfold inward_gap, normal_force, shear_force in E.
-    rewrite cos_0, sin_0 in E. assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra.
+    rewrite cos_0, sin_0 in E. assert (0 < mu * h) by positive. lra.
   - exists alpha. split; [lra|]. intros x Hx Ex. exfalso. apply Hnone. now exists x.
 Qed.
 
@@ -248,20 +244,17 @@ Proof.
 Qed.
 
 (** What a multiplier of the friction at a joint is as a rate. *)
-Lemma rate_of_slip (x row k : R) : 0 < x < PI -> 0 < normal_force x h -> 0 <= k ->
-  (k = 0 \/ normal_force x h * row = x) ->
-  exists s, 0 <= s /\ s * sin x = k * row /\ (k = 0 -> s = 0) /\ (0 < k -> 0 < s).
+Lemma rate_of_slip (x row k : R) : 0 < x < PI -> 0 < normal_force x h -> 0 <= k -> (k = 0 \/
+    normal_force x h * row = x) -> exists s, 0 <= s /\ s * sin x = k * row /\ (k = 0 -> s = 0) /\ (0 < k -> 0 < s).
 Proof.
-  intros Hx HN Hk Hrow. assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
-  exists (k * (x / (normal_force x h * sin x))).
-  assert (Hscale : 0 < x / (normal_force x h * sin x))
-    by (apply Rdiv_lt_0_compat; [lra | now apply Rmult_lt_0_compat]). repeat split.
-  - apply Rmult_le_pos; lra.
+  intros Hx HN Hk Hrow. assert (HS : 0 < sin x) by positive. exists (k * (x / (normal_force x h * sin x))).
+  assert (Hscale : 0 < x / (normal_force x h * sin x)) by positive. repeat split.
+  - positive.
   - destruct Hrow as [-> | Hrow]; [ring|]. assert (E : row = x / normal_force x h).
     { apply (Rmult_eq_reg_l (normal_force x h)); [rewrite Hrow; field|]; lra. }
     rewrite E. field. lra.
   - intros ->. ring.
-  - intros H. now apply Rmult_lt_0_compat.
+  - intros H. positive.
 Qed.
 
 Lemma multipliers_are_rates (beta sigma : R) (k : nat -> R) (c : R) : 0 <= beta <= alpha -> 0 < sigma <= alpha ->
@@ -358,11 +351,9 @@ End State.
 
 (** ** Where there is room, thinner and wider arches stand *)
 
-Lemma stands_by_margins (delta alpha eta mu h p : R) : 0 < eta ->
-  (forall x, 0 <= x <= alpha ->
-     0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p /\
-     0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h) ->
-  arch_stands delta alpha eta mu.
+Lemma stands_by_margins (delta alpha eta mu h p : R) : 0 < eta -> (forall x, 0 <= x <= alpha ->
+    0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p /\ 0 <= inward_gap x mu h /\
+    0 <= outward_gap x mu h) -> arch_stands delta alpha eta mu.
 Proof.
   intros He Hall. exists h, p. intros x Hx. destruct (Hall x Hx) as (HU & HL & HI & HO).
   unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, extrados, intrados in *.
@@ -371,12 +362,10 @@ Proof.
 Qed.
 
 (** Room at the faces is enough for a thinner one. *)
-Theorem thinner_arch_stands (delta alpha eta mu h p : R) :
-  0 <= delta <= 1 -> 0 <= alpha -> 0 < eta <= 2 ->
-  (forall x, 0 <= x <= alpha ->
-     0 < shoulder_gap delta x eta h p /\ 0 < haunch_gap delta x eta h p /\
-     0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h) ->
-  exists eta', 0 < eta' < eta /\ arch_stands delta alpha eta' mu.
+Theorem thinner_arch_stands (delta alpha eta mu h p : R) : 0 <= delta <= 1 -> 0 <= alpha -> 0 < eta <= 2 ->
+  (forall x, 0 <= x <= alpha -> 0 < shoulder_gap delta x eta h p /\ 0 < haunch_gap delta x eta h p /\
+    0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h) -> exists eta', 0 < eta' < eta /\
+  arch_stands delta alpha eta' mu.
 Proof.
   intros Hd Ha He Hroom. destruct (margins_continuous delta eta mu h p) as (CU & CL & _).
   destruct (positive_in_direction 0 alpha (fun x => shoulder_gap delta x eta h p)
@@ -394,7 +383,7 @@ Proof.
   apply (stands_by_margins delta alpha (eta - t) mu h p); [lra|]. intros x Hx. assert (HU' := HU t ltac:(lra) x Hx).
   assert (HL' := HL t ltac:(lra) x Hx). destruct (Hroom x Hx) as (_ & _ & HI & HO).
   assert (Hv : 0 <= 1 - cos x) by (destruct (COS_bound x); lra).
-  assert (Hcut : 0 <= t * (delta * (2 * eta - t)) * (1 - cos x)) by (repeat apply Rmult_le_pos; lra).
+  assert (Hcut : 0 <= t * (delta * (2 * eta - t)) * (1 - cos x)) by positive.
   assert (Hcut' : 0 <= t * (4 - delta * (2 * eta - t)) * (1 - cos x)).
   { apply Rmult_le_pos; [apply Rmult_le_pos|]; try lra.
     assert (delta * (2 * eta - t) <= 1 * (2 * eta - t)) by (apply Rmult_le_compat_r; lra). lra. }

@@ -1,15 +1,10 @@
 (** * Sliding: (17) and (18)
 
-    A joint slides inwards when [T/N] reaches the friction coefficient, outwards (at the shoulder)
-    when [-T/N] does.
-
-    - (17), both forms, is [-T/N] at the shoulder;
-    - [T/N] has the derivative [(h (1-h) - beta^2) / N^2], so it grows up to [beta_s] and falls
-      after it: exactly one inner joint can slide.  This holds as far as the joints carry
-      compression, that is on [[0, alpha]] as soon as [N(alpha) > 0] and [alpha <= PI], and so in
-      particular on [[0, PI/2]];
-    - (18) is [T/N] at [beta_s], its maximum;
-    - (18) falls strictly with the thrust on [(0, 1)]. *)
+    A joint slides inwards when [T/N] reaches the friction coefficient, outwards (at the shoulder) when [-T/N] does:
+    (17), both forms, is [-T/N] at the shoulder. [T/N] has the derivative [(h (1-h) - beta^2) / N^2], so it grows up to
+    [beta_s] and falls after it: exactly one inner joint can slide, as far as the joints carry compression, that is on
+    [[0, alpha]] as soon as [N(alpha) > 0] and [alpha <= PI], and so on [[0, PI/2]]. (18) is [T/N] at [beta_s], its
+    maximum, and falls strictly with the thrust on [(0, 1)]. *)
 
 From Couplet Require Import Moments Cubics.
 
@@ -57,10 +52,9 @@ Proof. unfold normal_force. rewrite cos_0, sin_0. ring. Qed.
 
 Lemma normal_force_positive_to_quarter (beta h : R) : 0 < h -> 0 <= beta <= PI / 2 -> 0 < normal_force beta h.
 Proof.
-  intros Hh Hb. unfold normal_force. assert (HPI := PI2_3_2). assert (0 <= cos beta) by (apply cos_ge_0; lra).
-  assert (0 <= sin beta) by (apply sin_ge_0; lra). assert (Hcircle := circle beta).
-  destruct (Req_dec beta 0) as [-> | Hne]; [rewrite cos_0, sin_0; lra|].
-  assert (0 < sin beta) by (apply sin_gt_0; lra). nra.
+  intros Hh Hb. unfold normal_force. assert (HPI := PI2_3_2). assert (0 <= cos beta) by positive.
+  assert (0 <= sin beta) by positive. assert (Hcircle := circle beta).
+  destruct (Req_dec beta 0) as [-> | Hne]; [rewrite cos_0, sin_0; lra|]. assert (0 < sin beta) by positive. nra.
 Qed.
 
 (** Compression at the shoulder means compression everywhere. *)
@@ -81,8 +75,8 @@ Proof.
       transitivity ((sin c * cos c + c * (sin c ^ 2 + cos c ^ 2)) / cos c ^ 2);
         [field; lra | rewrite Hcircle; field; lra].
     - assert (cos c < 0) by (apply Hcos; lra). assert (0 < sin c * cos c + c).
-      { destruct (SIN_bound c), (COS_bound c). assert (0 < sin c) by (apply sin_gt_0; lra). nra. }
-      assert (0 < (sin c * cos c + c) / cos c ^ 2) by (apply Rdiv_lt_0_compat; nra). nra. }
+      { destruct (SIN_bound c), (COS_bound c). assert (0 < sin c) by positive. nra. }
+      assert (0 < (sin c * cos c + c) / cos c ^ 2) by positive. nra. }
   assert (Hshape : forall x, cos x < 0 -> normal_force x h = cos x * (h + x * tan x))
     by (intros x Hx; unfold normal_force, tan; field; lra).
   assert (cos alpha < 0) by (apply Hcos; lra). assert (cos beta < 0) by (apply Hcos; lra).
@@ -120,9 +114,8 @@ Proof.
 Qed.
 
 (** What a bound of [T/N] says of [T] and [N]. *)
-Lemma steepness_at_most (x h m : R) : 0 < normal_force x h ->
-  (steepness x h <= m <-> shear_force x h <= m * normal_force x h) /\
-  (- steepness x h <= m <-> - shear_force x h <= m * normal_force x h).
+Lemma steepness_at_most (x h m : R) : 0 < normal_force x h -> (steepness x h <= m <->
+    shear_force x h <= m * normal_force x h) /\ (- steepness x h <= m <-> - shear_force x h <= m * normal_force x h).
 Proof.
   intros HN. unfold steepness.
   assert (E : shear_force x h = shear_force x h / normal_force x h * normal_force x h) by (field; lra).
@@ -148,7 +141,7 @@ Proof.
   assert (Hhalf := beta_s_at_most_one_half h ltac:(lra)). assert (HPI := PI2_3_2).
   destruct (steepness_increment h a b Hab) as (c & Hin & HN & Hc);
     [intros c Hc; apply normal_force_positive_to_quarter; lra |].
-  assert (0 < (h * (1 - h) - c ^ 2) / normal_force c h ^ 2) by (apply Rdiv_lt_0_compat; nra). nra.
+  assert (0 < (h * (1 - h) - c ^ 2) / normal_force c h ^ 2) by positive. nra.
 Qed.
 
 (** and falls from [beta_s] to the shoulder. *)
@@ -156,19 +149,18 @@ Theorem steepness_falls_after_beta_s (h alpha a b : R) : 0 < h <= 1 -> alpha <= 
   beta_s h <= a -> a < b -> b <= alpha -> steepness b h < steepness a h.
 Proof.
   intros Hh Halpha HNalpha Ha Hab Hb. assert (Hsq := beta_s_square h ltac:(lra)).
-  assert (Hs : 0 <= beta_s h) by apply sqrt_pos.
+  assert (0 <= beta_s h) by apply sqrt_pos.
   destruct (steepness_increment h a b Hab) as (c & Hin & HN & Hc);
     [intros c Hc; apply (normal_force_positive alpha); lra |].
-  assert (0 < - (h * (1 - h) - c ^ 2) / normal_force c h ^ 2) by (apply Rdiv_lt_0_compat; nra). unfold Rdiv in *. nra.
+  assert (0 < - (h * (1 - h) - c ^ 2) / normal_force c h ^ 2) by positive. unfold Rdiv in *. nra.
 Qed.
 
 (** So [beta_s] is the only joint of the half arch where [T/N] is largest. *)
 Theorem steepest_joint (h alpha beta : R) : 0 < h <= 1 -> alpha <= PI -> 0 < normal_force alpha h ->
   beta_s h <= alpha -> 0 <= beta <= alpha -> beta <> beta_s h -> steepness beta h < steepness (beta_s h) h.
 Proof.
-  intros Hh Ha HN Hs Hb Hne. destruct (Rtotal_order beta (beta_s h)) as [H | [H | H]]; [|easy|].
-  - apply steepness_grows_before_beta_s; lra.
-  - apply (steepness_falls_after_beta_s h alpha); lra.
+  intros Hh Ha HN Hs Hb Hne. destruct (Rtotal_order beta (beta_s h)) as [H | [H | H]]; [|easy|];
+    [apply steepness_grows_before_beta_s | apply (steepness_falls_after_beta_s h alpha)]; lra.
 Qed.
 
 (** If the arch ends before [beta_s] the shoulder is where [T/N] is largest. *)
@@ -196,11 +188,8 @@ Qed.
 
 Theorem mu_is_from_statics (h : R) : 0 < h < 1 -> mu_is h = steepness (beta_s h) h.
 Proof.
-  intros Hh. apply inner_friction_from_statics.
-  - apply Rgt_not_eq, beta_s_positive, Hh.
-  - lra.
-  - apply beta_s_square; lra.
-  - apply Rgt_not_eq, normal_force_at_beta_s_positive; lra.
+  intros Hh. apply inner_friction_from_statics; [apply Rgt_not_eq, beta_s_positive, Hh | lra
+    | apply beta_s_square; lra | apply Rgt_not_eq, normal_force_at_beta_s_positive; lra].
 Qed.
 
 (** No inner joint slides exactly for a friction of at least (18). *)
@@ -245,7 +234,7 @@ Proof.
     transitivity (beta * (h2 - h1) * (sin beta ^ 2 + cos beta ^ 2)
                   / ((h1 * cos beta + beta * sin beta) * (h2 * cos beta + beta * sin beta)));
       [field; lra | rewrite circle; field; lra]. }
-  assert (0 < beta * (h2 - h1) / (normal_force beta h1 * normal_force beta h2)) by (apply Rdiv_lt_0_compat; nra). lra.
+  assert (0 < beta * (h2 - h1) / (normal_force beta h1 * normal_force beta h2)) by positive. lra.
 Qed.
 
 (** The friction (18) falls strictly: a smaller thrust needs more friction. *)

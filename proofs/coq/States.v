@@ -6,10 +6,7 @@
 
     Where modes meet, some of these numbers are zero: friction at the shoulder or inside, the room at the extrados,
     that of the intrados next to the crown, or what the limit leaves. Of those it is asked that they are not negative,
-    so that each theorem holds for the landmarks too.
-
-    All of it from the printed equations and the statics: see [Contact] for the line of thrust, [Sliding] for
-    friction, [FrictionModes] for thinner arches. *)
+    so that each theorem holds for the landmarks too. *)
 
 From Couplet Require Import Moments Cubics Overturning Sliding Joining.
 From Couplet Require Export Arch DoubleThickness Contact FrictionModes.
@@ -60,12 +57,11 @@ Theorem inside_from_crown (delta alpha eta h p : R) : 0 < alpha < PI -> 0 < eta 
   intrados eta * (2 - h) <= fac delta eta -> thrust_inside delta alpha eta h p.
 Proof.
   unfold at_shoulder. intros Ha He Hh HN Hcrown Hshoulder Haway x Hx.
-  assert (Hi : 0 <= intrados eta) by (unfold intrados; lra). split; [now apply HN|split].
+  assert (0 <= intrados eta) by (unfold intrados; lra). split; [now apply HN|split].
   - enough (margin (intrados eta) (fac delta eta) h x <= margin (intrados eta) (fac delta eta) h 0)
       by (unfold margin, normal_force in *; rewrite cos_0, sin_0 in *; lra). apply margin_falls_from_crown; lra.
-  - apply (extrados_safe delta alpha); try easy; try lra.
-    + unfold extrados; lra.
-    + unfold extrados, intrados in *. nra.
+  - apply (extrados_safe delta alpha); try easy; try lra; [unfold extrados; lra
+      | unfold extrados, intrados in *; nra].
 Qed.
 
 (** ** Friction *)
@@ -93,7 +89,7 @@ Lemma thicker_stands (delta alpha eta eta' h p : R) : 0 <= delta <= 1 -> 0 < alp
 Proof.
   intros Hd Ha He He' Hh Hall x Hx. apply (joint_stands_if_thicker delta x eta); try easy; [| now apply Hall].
   destruct (Hall 0 ltac:(lra)) as (_ & Hin & _). rewrite normal_force_at_crown, cos_0 in Hin.
-  assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra.
+  assert (0 <= intrados eta * h) by positive. lra.
 Qed.
 
 Lemma stands_from_there (delta alpha eta mu h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
@@ -107,9 +103,8 @@ Proof.
 Qed.
 
 Lemma stands_without_limit_from_there (delta alpha eta h p : R) : 0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 ->
-  0 <= h -> thrust_inside delta alpha eta h p ->
-  (forall eta', 0 < eta' < eta -> ~ exists h p, thrust_inside delta alpha eta' h p) ->
-  stands_without_limit_from delta alpha eta.
+  0 <= h -> thrust_inside delta alpha eta h p -> (forall eta', 0 < eta' < eta ->
+    ~ exists h p, thrust_inside delta alpha eta' h p) -> stands_without_limit_from delta alpha eta.
 Proof.
   intros Hd Ha He Hh Hstands Hnone eta' He'. split.
   - intros H. apply Rnot_lt_le. intros Hthin. apply (Hnone eta'); [lra | exact H].
@@ -144,7 +139,7 @@ Qed.
 Lemma shoulder_from_crown (eta h : R) : 0 < eta <= 2 -> h = h_whole delta alpha eta ->
   at_crown eta h = at_shoulder delta alpha eta h.
 Proof.
-  intros He H4. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  intros He H4. assert (Hv : 0 < 1 - cos alpha) by positive.
   apply whole_thrust_cleared in H4; [|lra|lra]. unfold at_crown, at_shoulder, extrados, normal_force. lra.
 Qed.
 
@@ -184,9 +179,8 @@ Lemma none_thinner_than_rotational (beta eta h : R) : h = h_lower delta beta eta
   ~ exists h p, thrust_inside delta alpha eta' h p.
 Proof.
   intros (H2 & H4 & H5) He Hb eta' He' (h' & p & Hall).
-  apply (rotational_thickness_is_least delta alpha beta eta) with (eta' := eta') in weight; try lra.
-  - assert (eta <= eta') by (apply weight; now exists h', p). lra.
-  - split; congruence.
+  apply (rotational_thickness_is_least delta alpha beta eta) with (eta' := eta') in weight; try lra;
+    [assert (eta <= eta') by (apply weight; now exists h', p); lra | split; congruence].
 Qed.
 
 Theorem rotational (beta eta h : R) : h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\
@@ -270,7 +264,7 @@ Proof.
   intros H4 **. assert (Hs := shoulder_from_crown eta 0 ltac:(lra) H4). unfold at_crown in Hs.
   assert (A : thrust_inside delta alpha eta 0 0).
   { apply inside_from_crown; try easy; try lra. intros x Hx. unfold normal_force. rewrite Rmult_0_l, Rplus_0_l.
-    apply Rmult_le_pos; [lra | apply sin_ge_0; lra]. }
+    apply Rmult_le_pos; [lra | positive]. }
   split; [exact A|]. apply (stands_without_limit_from_there _ _ _ 0 0); try easy; try lra.
   intros eta' He' (h & p & Hall).
   apply (no_thinner_arch_by_mechanism 0 1 delta alpha 0 eta eta' 0 0 h p); try apply Hall; try lra.
@@ -294,7 +288,7 @@ Proof.
     by (rewrite H17; unfold mu_ss, normal_force in *; field; lra).
   (* what is left of the shoulder's bound grows as the friction falls *)
   assert (Hbound : 0 < sin alpha - mu' * cos alpha).
-  { assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra). assert (Hcircle := circle alpha).
+  { assert (HS : 0 < sin alpha) by positive. assert (Hcircle := circle alpha).
     assert (E : (sin alpha - mu * cos alpha) * normal_force alpha h = alpha).
     { transitivity (sin alpha * normal_force alpha h - cos alpha * (mu * normal_force alpha h)); [ring|].
       rewrite Hmore. unfold normal_force.

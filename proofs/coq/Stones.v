@@ -60,7 +60,7 @@ Lemma room_grows x h k : h <= k -> 0 <= lead k -> 0 <= room_at x h -> 0 <= room_
 Proof.
   intros Hhk Hk. unfold room_at, largest_moment. rewrite (Rmin_left 0 (lead k)) by exact Hk.
   assert (m := Rmin_l 0 (lead h)). unfold haunch_gap, normal_force, extrados, intrados in *. destruct (COS_bound x).
-  assert (0 <= ((1 + eta / 2) - (1 - eta / 2) * cos x) * (k - h)) by (apply Rmult_le_pos; nra). lra.
+  assert (0 <= ((1 + eta / 2) - (1 - eta / 2) * cos x) * (k - h)) by positive. lra.
 Qed.
 
 Lemma room_falls x h k : 0 <= x <= alpha -> 0 <= h <= k -> lead h <= 0 -> 0 <= room_at x k -> 0 <= room_at x h.
@@ -82,8 +82,7 @@ Proof.
   { exists k. split; [lra |]. intros x _ [H | H]; [apply (room_grows x h); easy || lra | exact H]. }
   destruct (Rle_dec (lead h) 0) as [Hh | Hh].
   { exists h. split; [lra |]. intros x Hx [H | H]; [exact H | apply (room_falls x h k); easy || lra]. }
-  assert (V : 0 < extrados eta * (1 - cos alpha))
-    by (apply Rmult_lt_0_compat; [unfold extrados; lra | apply versine_positive; lra]).
+  assert (V : 0 < extrados eta * (1 - cos alpha)) by positive.
   set (m := h + lead h / (extrados eta * (1 - cos alpha))).
   assert (E : forall t, lead t = (m - t) * (extrados eta * (1 - cos alpha)))
     by (intros t; unfold m, lead, normal_force; field; unfold extrados in *; split; nra).

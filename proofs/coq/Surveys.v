@@ -11,9 +11,7 @@ From Couplet Require Import Moments Cubics Sliding Joining Contact FrictionModes
 (** More friction bears what less does, as more thickness does. *)
 Lemma friction_holds_if_rougher (beta mu mu' h : R) :
   0 <= normal_force beta h -> mu <= mu' -> friction_holds beta mu h -> friction_holds beta mu' h.
-Proof.
-  unfold friction_holds. nra.
-Qed.
+Proof. unfold friction_holds. nra. Qed.
 
 (** So a state of an arch is one of each narrower, rougher and thicker one: the widest, least rough and thinnest decides
     whether all stand, its opposite whether any does, also where friction has no limit. *)
@@ -21,9 +19,8 @@ Theorem narrower_thicker_stands (delta alpha alpha' eta eta' h p : R) : 0 <= del
   0 < eta <= eta' -> eta' <= 2 -> (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
   forall x, 0 <= x <= alpha' -> joint_stands delta x eta' h p.
 Proof.
-  intros Hd Ha He He' Hall. assert (Hp : 0 <= p).
-  { destruct (Hall 0 ltac:(lra)) as (HN & Hin & _).
-    assert (0 <= intrados eta * normal_force 0 h) by (apply Rmult_le_pos; [unfold intrados|]; lra).
+  intros Hd Ha He He' Hall. assert (0 <= p).
+  { destruct (Hall 0 ltac:(lra)) as (HN & Hin & _). assert (0 <= intrados eta * normal_force 0 h) by positive.
     rewrite cos_0 in Hin. lra. }
   intros x Hx. apply (joint_stands_if_thicker delta x eta); try easy. apply Hall. lra.
 Qed.
@@ -63,7 +60,7 @@ Lemma ratio_grows (c t t' r r' : R) : 0 < t <= t' -> 0 < r <= r' -> 0 < r + c * 
   ratio c t r' <= ratio c t' r.
 Proof.
   intros Ht Hr Hc Hc'. unfold ratio. apply (Rmult_le_reg_r ((r + c * t' / 2) * (r' + c * t / 2))).
-  - now apply Rmult_lt_0_compat.
+  - positive.
   - replace (t / (r' + c * t / 2) * ((r + c * t' / 2) * (r' + c * t / 2)))
       with (t * (r + c * t' / 2)) by (field; lra).
     replace (t' / (r + c * t' / 2) * ((r + c * t' / 2) * (r' + c * t / 2)))
@@ -74,9 +71,9 @@ Qed.
 Lemma ratio_between (c t t' r r' : R) : -1 <= c <= 1 -> 0 < t <= t' -> r <= r' -> t' <= 2 * (r + c * t' / 2) ->
   0 < r' + c * t / 2 /\ 0 < ratio c t r' <= 2.
 Proof.
-  intros Hc Ht Hr Hroom. assert (Hmore : t <= 2 * (r' + c * t / 2)) by nra. assert (Hp : 0 < r' + c * t / 2) by lra.
+  intros Hc Ht Hr Hroom. assert (t <= 2 * (r' + c * t / 2)) by nra. assert (Hp : 0 < r' + c * t / 2) by lra.
   unfold ratio. split; [exact Hp | split].
-  - now apply Rdiv_lt_0_compat.
+  - positive.
   - apply (Rmult_le_reg_r (r' + c * t / 2)); [exact Hp |]. field_simplify; lra.
 Qed.
 
@@ -85,13 +82,13 @@ Lemma opening_grows (span span' rise rise' : R) : 0 < span -> 0 < span' -> rise 
   opening span rise <= opening span' rise'.
 Proof.
   intros Hs Hs' Hf. unfold opening. assert (H : 2 * rise / span <= 2 * rise' / span').
-  { apply (Rmult_le_reg_r (span * span')); [now apply Rmult_lt_0_compat |]. field_simplify; lra. }
+  { apply (Rmult_le_reg_r (span * span')); [positive |]. field_simplify; lra. }
   destruct H as [H | ->]; [apply atan_increasing in H|]; lra.
 Qed.
 
 Lemma opening_between (span rise : R) : 0 < span -> 0 < rise -> 0 < opening span rise < PI.
 Proof.
-  intros Hs Hf. unfold opening. assert (H : 0 < 2 * rise / span) by (apply Rdiv_lt_0_compat; lra).
+  intros Hs Hf. unfold opening. assert (H : 0 < 2 * rise / span) by positive.
   apply atan_increasing in H. rewrite atan_0 in H. assert (B := atan_bound (2 * rise / span)). lra.
 Qed.
 
@@ -118,11 +115,11 @@ Proof.
   assert (Hdiff : forall x y, 0 < x -> 0 < y -> radius span y - radius span x
     = (y - x) * (x * y - span ^ 2 / 4) / (2 * x * y)) by (intros; unfold radius; field; lra).
   assert (grows : forall x y, 0 < x <= y -> span ^ 2 / 4 <= x * y -> radius span x <= radius span y).
-  { intros x y Hx H. assert (0 <= (y - x) * (x * y - span ^ 2 / 4) / (2 * x * y))
-      by (apply Rdiv_le_0_compat; [apply Rmult_le_pos|]; nra). assert (E := Hdiff x y ltac:(lra) ltac:(lra)). lra. }
+  { intros x y Hx H. assert (0 <= (y - x) * (x * y - span ^ 2 / 4) / (2 * x * y)) by positive.
+    assert (E := Hdiff x y ltac:(lra) ltac:(lra)). lra. }
   assert (falls : forall x y, 0 < x <= y -> x * y <= span ^ 2 / 4 -> radius span y <= radius span x).
-  { intros x y Hx H. assert (0 <= (y - x) * (span ^ 2 / 4 - x * y) / (2 * x * y))
-      by (apply Rdiv_le_0_compat; [apply Rmult_le_pos|]; nra). assert (E := Hdiff x y ltac:(lra) ltac:(lra)). lra. }
+  { intros x y Hx H. assert (0 <= (y - x) * (span ^ 2 / 4 - x * y) / (2 * x * y)) by positive.
+    assert (E := Hdiff x y ltac:(lra) ltac:(lra)). lra. }
   split; [split |].
   - replace (span / 2) with (radius span (span / 2)) by (unfold radius; field; lra).
     destruct (Rle_dec rise (span / 2)); [apply falls | apply grows]; nra.

@@ -3,7 +3,7 @@
     The thickness is [tau] and the radius of the centroids [centroids], both to the radius of the extrados.  An arch
     that stands has a state with a thrust of at most 1. *)
 
-From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes Mechanisms.
+From Couplet Require Import Overturning Mechanisms.
 
 Definition slenderness (eta : R) : R := 2 * eta / (2 + eta).
 Definition centroids (delta tau : R) : R := 1 - tau / 2 + delta * tau ^ 2 / (6 * (2 - tau)).
@@ -15,7 +15,7 @@ Definition asked (delta x tau : R) : R :=
 Lemma slenderness_between (eta : R) : 0 < eta <= 2 -> 0 < slenderness eta <= 1.
 Proof.
   intros He. assert (E : 1 - slenderness eta = (2 - eta) / (2 + eta)) by (unfold slenderness; field; lra).
-  assert (0 <= (2 - eta) / (2 + eta)) by (apply Rdiv_le_0_compat; lra). split; [apply Rdiv_lt_0_compat |]; lra.
+  assert (0 <= (2 - eta) / (2 + eta)) by positive. split; [apply Rdiv_lt_0_compat |]; lra.
 Qed.
 
 Lemma scaled_radii (delta eta : R) : 0 < eta -> intrados eta = extrados eta * (1 - slenderness eta) /\
@@ -54,7 +54,7 @@ Qed.
 
 Lemma normal_force_by_A (a h : R) : 0 < a < PI -> normal_force a h = h + (A a - h) * (1 - cos a).
 Proof.
-  intros Ha. assert (0 < 1 - cos a) by (apply versine_positive; lra). unfold normal_force, A. field. lra.
+  intros Ha. assert (0 < 1 - cos a) by positive. unfold normal_force, A. field. lra.
 Qed.
 
 Section Ring.
@@ -65,7 +65,7 @@ Hypothesis flag : 0 <= delta <= 1.
 Lemma haunch_signs (x tau : R) : 0 <= x <= PI / 2 -> 0 < tau <= 1 -> 0 <= cos x /\ 0 <= 1 - cos x /\
   1 - cos x <= x * sin x /\ 0 <= 2 * (1 - cos x) - x * sin x /\ 0 < 1 - cos x + tau * cos x.
 Proof.
-  intros Hx Ht. assert (HC : 0 <= cos x) by (apply cos_ge_0; lra). destruct (COS_bound x).
+  intros Hx Ht. assert (0 <= cos x) by positive. destruct (COS_bound x).
   assert (M := moment_of_weight_grows 0 x ltac:(lra) ltac:(lra) ltac:(lra)). rewrite sin_0, cos_0 in M.
   repeat split; try lra; [|nra]. destruct (Req_dec x 0) as [-> | Hne]; [rewrite sin_0, cos_0; lra |].
   apply Rlt_le, lag_positive. lra.
@@ -78,9 +78,8 @@ Lemma lack_of_asked (x tau : R) : 0 <= x <= PI / 2 -> 0 < tau <= 1 ->
 Proof.
   intros Hx Ht P. destruct (haunch_signs x tau Hx Ht) as (HC & Hv & Hb & Hl & Hw).
   split; [unfold asked, centroids, P; field; lra |]. apply Rdiv_lt_0_compat; [|easy].
-  assert (0 <= delta * tau ^ 2 / (6 * (2 - tau)) * (1 - cos x))
-    by (apply Rmult_le_pos; [apply Rdiv_le_0_compat; nra | easy]).
-  assert (0 < tau * (cos x + x * sin x - (1 - cos x) / 2)) by (apply Rmult_lt_0_compat; lra). unfold P. lra.
+  assert (0 <= delta * tau ^ 2 / (6 * (2 - tau)) * (1 - cos x)) by positive.
+  assert (0 < tau * (cos x + x * sin x - (1 - cos x) / 2)) by positive. unfold P. lra.
 Qed.
 
 (** A joint's intrados with the line of thrust on the crown's extrados, and with it on the shoulder's. *)
@@ -102,12 +101,11 @@ Lemma clear_with_less_thrust (alpha eta h h0 x : R) : 0 < alpha < PI -> 0 < eta 
 Proof.
   intros Ha He Hx Hh H0. unfold clear_of_shoulder in *. set (tau := slenderness eta) in *.
   destruct (Rle_lt_dec (cos alpha) ((1 - tau) * cos x)) as [Harm | Harm].
-  - assert (0 <= (h0 - h) * ((1 - tau) * cos x - cos alpha)) by (apply Rmult_le_pos; lra).
-    unfold normal_force in *. lra.
+  - assert (0 <= (h0 - h) * ((1 - tau) * cos x - cos alpha)) by positive. unfold normal_force in *. lra.
   - destruct (scaled_radii delta eta ltac:(lra)) as (Ei & Ef & Hp). fold tau in Ei, Ef.
     assert (H := room_without_lever delta alpha x eta h 0 flag Hx Ha He ltac:(lra)). rewrite Ei in H.
     apply (Rmult_le_reg_l (extrados eta)); [easy |]. unfold haunch_gap, shoulder_gap in H. rewrite Ei, Ef in H.
-    assert (0 <= extrados eta * (cos alpha - (1 - tau) * cos x)) by (apply Rmult_le_pos; lra). lra.
+    assert (0 <= extrados eta * (cos alpha - (1 - tau) * cos x)) by positive. lra.
 Qed.
 
 (** What crown, haunch and shoulder ask of [A]. *)
@@ -117,8 +115,7 @@ Lemma room_for_rotation (alpha eta h x : R) : let tau := slenderness eta in 0 < 
 Proof.
   intros tau Ha He Hx Hx' Hh H0 HM Hask.
   destruct (Rle_lt_dec h (A alpha - centroids delta tau)) as [Hle | Hlt]; [lra |].
-  assert (HV : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  set (a := A alpha - centroids delta tau) in *. assert (Ha0 : 0 <= a).
+  assert (HV : 0 < 1 - cos alpha) by positive. set (a := A alpha - centroids delta tau) in *. assert (Ha0 : 0 <= a).
   { apply (clear_with_less_thrust alpha eta 0 h 0) in H0; try easy; try lra. unfold clear_of_shoulder in H0.
     fold tau in H0. rewrite (normal_force_by_A alpha), normal_force_at_crown, cos_0 in H0 by easy.
     apply (Rmult_le_reg_r (1 - cos alpha)); [easy |]. unfold a. lra. }
@@ -148,7 +145,7 @@ Lemma joints_of_a_thrust (alpha eta h : R) : let tau := slenderness eta in 0 < a
   exists p, forall x, 0 <= x <= alpha -> joint_stands delta x eta h p.
 Proof.
   intros tau Ha He Hh Hall. destruct (slenderness_between eta He) as [Ht Ht1]. fold tau in Ht, Ht1.
-  assert (HV : 0 < 1 - cos alpha) by (apply versine_positive; lra). set (g := centroids delta tau) in *.
+  assert (HV : 0 < 1 - cos alpha) by positive. set (g := centroids delta tau) in *.
   assert (EN := normal_force_by_A alpha h Ha).
   assert (Hq : exists q, q <= h /\ q <= normal_force alpha h - g * (1 - cos alpha) /\
     forall x, 0 <= x <= alpha -> x <= PI / 2 -> (1 - tau) * normal_force x h <= q + g * (1 - cos x)).
@@ -157,16 +154,15 @@ Proof.
     - exists (normal_force alpha h - g * (1 - cos alpha)). split; [nra | split; [lra |]]. intros x Hx Hx'.
       destruct (Hall x Hx Hx') as [_ H]. specialize (H Hlt). unfold clear_of_shoulder in H. fold g in H. lra. }
   destruct Hq as (q & Hq1 & Hq2 & Hin). assert (Hq0 := Hin 0 ltac:(lra) ltac:(lra)).
-  rewrite normal_force_at_crown, cos_0 in Hq0. assert (0 <= (1 - tau) * h) by (apply Rmult_le_pos; lra).
-  assert (Hg : 1 - tau <= g).
-  { unfold g, centroids. assert (0 <= delta * tau ^ 2 / (6 * (2 - tau))) by (apply Rdiv_le_0_compat; nra). lra. }
+  rewrite normal_force_at_crown, cos_0 in Hq0. assert (0 <= (1 - tau) * h) by positive. assert (Hg : 1 - tau <= g).
+  { unfold g, centroids. assert (0 <= delta * tau ^ 2 / (6 * (2 - tau))) by positive. lra. }
   exists (extrados eta * q). intros x Hx. apply joint_scaled; [lra |]. fold tau. fold g.
   assert (Hout : q + g * (1 - cos x) <= normal_force x h).
   { assert (M := margin_least_at_the_ends 1 g h ltac:(lra) alpha x ltac:(lra) Hx).
     assert (K : q + g <= Rmin (margin 1 g h 0) (margin 1 g h alpha)); [|unfold margin in *; lra]. unfold margin.
     rewrite normal_force_at_crown, cos_0. apply Rmin_glb; lra. }
   split; [|split; [|easy]].
-  - destruct (COS_bound x). assert (0 <= g * (1 - cos x)) by (apply Rmult_le_pos; lra). lra.
+  - destruct (COS_bound x). assert (0 <= g * (1 - cos x)) by positive. lra.
   - destruct (Rle_lt_dec x (PI / 2)) as [Hn | Hw]; [now apply Hin |].
     destruct (margin_falls (1 - tau) g h ltac:(lra) (PI / 2) x) as [M _]; try lra.
     + unfold direction, cot. rewrite cos_PI2. unfold Rdiv. rewrite Rmult_0_l, Rmult_0_r. nra.
@@ -176,11 +172,11 @@ Qed.
 Lemma outward_gap_with_less_thrust (x mu h h0 : R) : 0 < x < PI -> 0 < mu -> 0 <= h < h0 ->
   0 <= outward_gap x mu h0 -> 0 < outward_gap x mu h.
 Proof.
-  intros Hx Hmu Hh H0. assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
+  intros Hx Hmu Hh H0. assert (HS : 0 < sin x) by positive.
   unfold outward_gap, normal_force, shear_force in *. destruct (Rle_lt_dec 0 (cos x)) as [HC | HC].
-  - assert (P : 0 < x * (mu * sin x + cos x)) by (apply Rmult_lt_0_compat; nra). apply (Rmult_lt_reg_l h0); [lra |].
+  - assert (P : 0 < x * (mu * sin x + cos x)) by positive. apply (Rmult_lt_reg_l h0); [lra |].
     assert (Q := Rmult_lt_0_compat (h0 - h) _ ltac:(lra) P). assert (Q' := Rmult_le_pos h _ ltac:(lra) H0). lra.
-  - assert (0 < (h0 - h) * (sin x - mu * cos x)) by (apply Rmult_lt_0_compat; nra). lra.
+  - assert (0 < (h0 - h) * (sin x - mu * cos x)) by positive. lra.
 Qed.
 
 (** Friction besides: a thrust of at most 1 is enough. *)
@@ -190,8 +186,7 @@ Lemma thrust_of_an_arch (alpha eta mu : R) : let tau := slenderness eta in 0 < a
       0 <= inward_gap x mu h).
 Proof.
   intros tau Ha He Hmu (h0 & p0 & Hall). assert (Ht := slenderness_between eta He). fold tau in Ht.
-  assert (Hh0 : 0 < h0).
-  { apply (friction_needs_thrust alpha mu); [lra | lra |]. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. easy. }
+  assert (Hh0 : 0 < h0) by (apply (friction_needs_thrust delta alpha eta mu h0 p0); [lra | lra | exact Hall]).
   assert (Hdemands := fun x => demands_of_joints alpha eta h0 p0 x Ha He (fun y Hy => proj1 (Hall y Hy))).
   assert (Hfriction : forall x, 0 <= x <= alpha -> 0 <= inward_gap x mu h0 /\ 0 <= outward_gap x mu h0).
   { intros x Hx. destruct (Hall x Hx) as [_ Hf]. apply Rcomplements.Rabs_le_between in Hf.
@@ -205,7 +200,7 @@ Proof.
       * destruct (lack_of_asked x tau) as [-> HP]; lra.
       * apply (clear_with_less_thrust alpha eta 1 h0); easy || lra.
       * assert (HN := normal_force_positive_to_quarter x 1 ltac:(lra) ltac:(lra)).
-        assert (0 < mu * normal_force x 1) by now apply Rmult_lt_0_compat. unfold inward_gap, shear_force.
+        assert (0 < mu * normal_force x 1) by positive. unfold inward_gap, shear_force.
         destruct (Req_dec x 0) as [-> | Hne]; [rewrite sin_0; lra |].
         assert (K := times_cosine_below_sine x ltac:(lra)). lra.
 Qed.
@@ -219,20 +214,20 @@ Proof.
   intros tau Ha He Hmu Hh HO Hall. destruct (joints_of_a_thrust alpha eta h Ha He ltac:(lra)) as [p Hp].
   { intros x Hx Hx'. now destruct (Hall x Hx Hx') as (H1 & H2 & _). }
   exists p. intros x Hx. split; [now apply Hp |]. destruct (Hp x Hx) as [HN _].
-  assert (0 <= mu * normal_force x h) by (apply Rmult_le_pos; lra). apply Rabs_le. split.
+  assert (0 <= mu * normal_force x h) by positive. apply Rabs_le. split.
   - destruct (Req_dec x 0) as [-> | Hx0]; [unfold shear_force in *; rewrite sin_0; lra |].
     enough (0 <= outward_gap x mu h) by (unfold outward_gap in *; lra).
     destruct (Req_dec x alpha) as [-> | Hne]; [easy |]. apply Rlt_le, (no_outward_limit_within x alpha); lra.
   - destruct (Rle_lt_dec x (PI / 2)) as [Hn | Hw].
     + destruct (Hall x Hx Hn) as (_ & _ & K). unfold inward_gap in K. lra.
-    + unfold shear_force. assert (cos x < 0) by (apply cos_lt_0; lra). assert (0 <= sin x) by (apply sin_ge_0; lra).
-      assert (0 <= h * sin x) by (apply Rmult_le_pos; lra). nra.
+    + unfold shear_force. assert (cos x < 0) by (apply cos_lt_0; lra). assert (0 <= sin x) by positive.
+      assert (0 <= h * sin x) by positive. nra.
 Qed.
 
 Lemma no_flat_arch (alpha eta mu : R) : 0 < alpha <= PI -> 0 < mu -> arch_stands delta alpha eta mu -> alpha < PI.
 Proof.
-  intros Ha Hmu (h & p & Hall). destruct (Req_dec alpha PI) as [E | Hne]; [exfalso | lra]. assert (Hh : 0 < h).
-  { apply (friction_needs_thrust alpha mu); [lra | lra |]. intros x Hx. now destruct (Hall x Hx) as [[HN _] Hf]. }
+  intros Ha Hmu (h & p & Hall). destruct (Req_dec alpha PI) as [E | Hne]; [exfalso | lra].
+  assert (0 < h) by (apply (friction_needs_thrust delta alpha eta mu h p); [lra | lra | exact Hall]).
   destruct (Hall alpha ltac:(lra)) as [(HN & _) _]. unfold normal_force in HN. rewrite E, cos_PI, sin_PI in HN. lra.
 Qed.
 

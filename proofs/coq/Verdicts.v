@@ -51,7 +51,7 @@ Theorem inside_nearest_at_shoulder : 0 <= room alpha ->
   thrust_inside delta alpha eta h p.
 Proof.
   intros Hroom Hnearer. apply inside_if_room. intros x Hx. destruct (Req_dec x alpha) as [-> | Hne]; [easy|].
-  assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra).
+  assert (HS : 0 < sin alpha) by positive.
   assert (H : margin (intrados eta) (fac delta eta) h x <= margin (intrados eta) (fac delta eta) h alpha).
   { apply margin_rises; try (unfold intrados; lra). unfold direction, cot.
     apply (Rmult_le_reg_r (sin alpha)); [easy|]. field_simplify; lra. }
@@ -67,9 +67,8 @@ Lemma steepness_below_mu_is (h alpha x : R) : 0 < h < 1 -> alpha <= PI -> 0 < no
   0 <= x <= alpha -> steepness x h <= mu_is h.
 Proof.
   intros Hh Ha HN Hx. rewrite mu_is_from_statics by easy.
-  destruct (Rtotal_order x (beta_s h)) as [Hless | [-> | Hmore]]; [| lra |].
-  - apply Rlt_le, steepness_grows_before_beta_s; lra.
-  - apply Rlt_le, (steepness_falls_after_beta_s h alpha); lra.
+  destruct (Rtotal_order x (beta_s h)) as [Hless | [-> | Hmore]]; [| lra |]; apply Rlt_le;
+    [apply steepness_grows_before_beta_s | apply (steepness_falls_after_beta_s h alpha)]; lra.
 Qed.
 
 (** Outwards no joint asks for more than the shoulder, and inwards none for more than a bound. *)
@@ -77,7 +76,7 @@ Lemma friction_within (h alpha mu : R) : 0 < h < 1 -> 0 < alpha < PI -> 0 < norm
   mu_ss alpha h <= mu -> (forall x, 0 <= x <= alpha -> steepness x h <= mu) ->
   forall x, 0 <= x <= alpha -> friction_holds x mu h.
 Proof.
-  intros Hh Ha HN Hout Hin x Hx. assert (HNx : 0 < normal_force x h) by (apply (normal_force_positive alpha); lra).
+  intros Hh Ha HN Hout Hin x Hx. assert (0 < normal_force x h) by (apply (normal_force_positive alpha); lra).
   assert (crown : steepness 0 h = 0) by (unfold steepness, shear_force; rewrite sin_0; unfold Rdiv; ring).
   assert (0 <= mu) by (rewrite <- crown; apply Hin; lra).
   assert (outwards := proj2 (no_outward_sliding h alpha mu Hh ltac:(lra) HN ltac:(lra)) Hout x Hx).
@@ -109,17 +108,14 @@ Qed.
 Definition share (alpha h : R) : R := normal_force alpha h / (1 - cos alpha).
 
 Lemma share_is (alpha h : R) : 0 < alpha < PI -> share alpha h = h * (cos alpha / (1 - cos alpha)) + A alpha.
-Proof.
-  unfold share, normal_force, A. lra.
-Qed.
+Proof. unfold share, normal_force, A. lra. Qed.
 
 Lemma share_falls (a b h : R) : 0 < a -> a < b -> b < PI -> 0 <= h -> share b h < share a h.
 Proof.
   intros Ha Hab Hb Hh. rewrite !share_is by lra. assert (HA := A_strictly_decreasing a b Ha Hab ltac:(lra)).
-  assert (Hva : 0 < 1 - cos a) by (apply versine_positive; lra).
-  assert (Hvb : 0 < 1 - cos b) by (apply versine_positive; lra).
-  assert (Hcos : cos b < cos a) by (apply cos_decreasing_1; lra). assert (cos b / (1 - cos b) <= cos a / (1 - cos a)).
-  { apply (Rmult_le_reg_r ((1 - cos a) * (1 - cos b))); [now apply Rmult_lt_0_compat|]. field_simplify; lra. }
+  assert (0 < 1 - cos a) by positive. assert (0 < 1 - cos b) by positive.
+  assert (cos b < cos a) by (apply cos_decreasing_1; lra). assert (cos b / (1 - cos b) <= cos a / (1 - cos a)).
+  { apply (Rmult_le_reg_r ((1 - cos a) * (1 - cos b))); [positive|]. field_simplify; lra. }
   nra.
 Qed.
 
@@ -128,7 +124,7 @@ Lemma wide_at_limit (alpha h : R) : 0 < alpha < PI -> 0 <= h -> share alpha h <=
 Proof.
   intros Ha Hh Hshare. apply Rnot_le_lt. intros Hcos. assert (Hquarter : alpha <= PI / 2).
   { apply Rnot_lt_le. intros H. assert (cos alpha < 0) by (apply cos_lt_0; lra). lra. }
-  rewrite share_is in Hshare by easy. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  rewrite share_is in Hshare by easy. assert (Hv : 0 < 1 - cos alpha) by positive.
   assert (0 <= h * (cos alpha / (1 - cos alpha)))
     by (apply Rmult_le_pos; [easy|]; apply Rmult_le_pos; [easy | now apply Rlt_le, Rinv_0_lt_compat]).
   assert (H2 : A (PI / 2) = PI / 2) by (unfold A; rewrite sin_PI2, cos_PI2; field). assert (HPI := PI2_3_2).
@@ -142,14 +138,12 @@ Lemma wider_does_not_stand (delta alpha0 alpha eta h0 h p : R) : delta = 0 \/ de
   alpha0 < alpha -> alpha < PI -> 0 < eta <= 2 -> 0 <= h0 <= h ->
   2 * normal_force alpha0 h0 = fac delta 2 * (1 - cos alpha0) -> ~ thrust_inside delta alpha eta h p.
 Proof.
-  intros Hd Ha0 Ha Hopen He Hh Hlimit Hall. assert (Hv0 : 0 < 1 - cos alpha0) by (apply versine_positive; lra).
-  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  assert (Hshare : share alpha0 h0 = fac delta 2 / 2).
+  intros Hd Ha0 Ha Hopen He Hh Hlimit Hall. assert (0 < 1 - cos alpha0) by positive.
+  assert (0 < 1 - cos alpha) by positive. assert (Hshare : share alpha0 h0 = fac delta 2 / 2).
   { unfold share. apply (Rmult_eq_reg_r (2 * (1 - cos alpha0))); [|lra]. field_simplify; lra. }
-  assert (Hcos0 : cos alpha0 < 0).
+  assert (cos alpha0 < 0).
   { apply (wide_at_limit alpha0 h0); try lra. rewrite Hshare. destruct Hd as [-> | ->]; unfold fac; lra. }
-  assert (Hcos : cos alpha < cos alpha0) by (apply cos_decreasing_1; lra).
-  assert (Hless : share alpha h < fac delta 2 / 2).
+  assert (cos alpha < cos alpha0) by (apply cos_decreasing_1; lra). assert (share alpha h < fac delta 2 / 2).
   { rewrite <- Hshare. apply Rle_lt_trans with (share alpha h0); [|apply share_falls; lra]. rewrite !share_is by lra.
     assert (cos alpha / (1 - cos alpha) <= 0) by (rewrite <- (Rmult_0_l (/ (1 - cos alpha))); apply Rmult_le_compat_r;
       [now apply Rlt_le, Rinv_0_lt_compat | lra]). nra. }
