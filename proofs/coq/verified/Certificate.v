@@ -1,8 +1,7 @@
 (** * A certificate, and what it claims
 
-    Of a certificate only the subject and the values are a claim; boxes and matrix say where to look.
-    [claim_of] is all that the checker's theorem is about.  Its words are those of [Arch], [Contact],
-    [FrictionModes] and [States]. *)
+    Of a certificate only the subject and the values are a claim; boxes and matrix say where to look.  [claim_of] is all
+    that the checker's theorem is about, in the words of [Arch], [Contact], [FrictionModes] and [States]. *)
 
 From Coq Require Import Reals ZArith Bool List.
 From Couplet Require Import Arch States Verdicts Whole Enclosures Formulas Equations.

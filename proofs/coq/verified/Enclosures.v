@@ -41,10 +41,8 @@ Proof. rewrite FtoR_split. unfold F2R. simpl. rewrite bpow_powerRZ. now destruct
 
 Lemma toX_float (d : dyadic) : FloatZ.toX (float d) = Xreal (value d).
 Proof.
-  destruct d as [m e]. unfold FloatZ.toX, FloatZ.toF, float, value. simpl. destruct m as [| p | p]; simpl.
-  - f_equal. ring.
-  - f_equal. exact (FtoR_value false p e).
-  - f_equal. exact (FtoR_value true p e).
+  destruct d as [m e]. unfold FloatZ.toX, FloatZ.toF, float, value. simpl. destruct m as [| p | p]; simpl;
+    [f_equal; ring | f_equal; exact (FtoR_value false p e) | f_equal; exact (FtoR_value true p e)].
 Qed.
 
 Lemma has_between (a b : dyadic) (x : R) : value a <= x <= value b -> has (I.bnd (float a) (float b)) x.

@@ -104,57 +104,26 @@ Ltac in_numbers :=
        lower touching cleared denominator] in *;
   rewrite ?meaning_centroid in *.
 
-Lemma cleared_is_printed w x e :
-  (forall f, In f (denominator e) -> meaning x f <> 0) ->
-  match e with
-  | Tangency b => sin (x b) <> 0
-  | DoubleThickness _ => False
-  | _ => True
-  end ->
-  meaning x (cleared w e) = 0 -> printed (flag w) x e.
+Lemma cleared_iff_printed w x e : (forall f, In f (denominator e) -> meaning x f <> 0) ->
+  match e with Tangency b => sin (x b) <> 0 | DoubleThickness _ => False | _ => True end ->
+  (meaning x (cleared w e) = 0 <-> printed (flag w) x e).
 Proof.
-  intros Hdenominator Hsine Hzero.
-  destruct e; cbn [denominator] in Hdenominator;
-    try specialize (Hdenominator _ (or_introl eq_refl)); in_numbers; cbn [printed].
-  - apply lower_thrust_cleared; [exact Hdenominator | lra].
-  - apply upper_thrust_cleared; [exact Hdenominator | lra].
-  - apply whole_thrust_cleared; [intros E; apply Hdenominator; rewrite E; ring | intros E; apply Hdenominator;
-      rewrite E; ring | lra].
-  - transitivity (((1 + x joint * (cos (x joint) / sin (x joint))) * (2 - x Eta) - 2 * fac (flag w) (x Eta))
-                  / (2 - x Eta)).
-    + apply equals_quotient; [exact Hdenominator | lra].
-    + unfold h_tangency, cot. field. now split.
-  - transitivity ((2 * (2 - x Eta) - 2 * fac (flag w) (x Eta)) / (2 - x Eta)).
-    + apply equals_quotient; [exact Hdenominator | lra].
-    + unfold end_of_rotation, fac. field. exact Hdenominator.
+  intros Hdenominator Hsine.
+  destruct e; cbn [denominator] in Hdenominator; try specialize (Hdenominator _ (or_introl eq_refl)); in_numbers;
+    cbn [printed].
+  - rewrite lower_thrust_cleared by exact Hdenominator. split; lra.
+  - rewrite upper_thrust_cleared by exact Hdenominator. split; lra.
+  - rewrite whole_thrust_cleared by (intros E; apply Hdenominator; rewrite E; ring). split; lra.
+  - replace (h_tangency _ _ _) with (((1 + x joint * (cos (x joint) / sin (x joint))) * (2 - x Eta)
+      - 2 * fac (flag w) (x Eta)) / (2 - x Eta)) by (unfold h_tangency, cot; field; now split).
+    rewrite equals_quotient by exact Hdenominator. split; lra.
+  - replace (end_of_rotation _ _) with ((2 * (2 - x Eta) - 2 * fac (flag w) (x Eta)) / (2 - x Eta))
+      by (unfold end_of_rotation, fac; field; exact Hdenominator).
+    rewrite equals_quotient by exact Hdenominator. split; lra.
   - easy.
-  - unfold mu_ss. apply equals_quotient; [exact Hdenominator | lra].
-  - unfold mu_inner. apply equals_quotient; [exact Hdenominator | lra].
-  - lra.
-Qed.
-
-Lemma printed_is_cleared w x e :
-  (forall f, In f (denominator e) -> meaning x f <> 0) ->
-  match e with
-  | Tangency b => sin (x b) <> 0
-  | DoubleThickness _ => False
-  | _ => True
-  end ->
-  printed (flag w) x e -> meaning x (cleared w e) = 0.
-Proof.
-  intros Hdenominator Hsine Hprinted.
-  destruct e; cbn [denominator] in Hdenominator;
-    try specialize (Hdenominator _ (or_introl eq_refl)); in_numbers; cbn [printed] in Hprinted.
-  - apply lower_thrust_cleared in Hprinted; [lra | exact Hdenominator].
-  - apply upper_thrust_cleared in Hprinted; [lra | exact Hdenominator].
-  - apply whole_thrust_cleared in Hprinted;
-      [lra | intros E; apply Hdenominator; rewrite E; ring | intros E; apply Hdenominator; rewrite E; ring].
-  - rewrite Hprinted. unfold h_tangency, cot. field. now split.
-  - rewrite Hprinted. unfold end_of_rotation, fac. field. exact Hdenominator.
-  - easy.
-  - rewrite Hprinted. unfold mu_ss. field. exact Hdenominator.
-  - rewrite Hprinted. unfold mu_inner. field. exact Hdenominator.
-  - lra.
+  - unfold mu_ss. rewrite equals_quotient by exact Hdenominator. split; lra.
+  - unfold mu_inner. rewrite equals_quotient by exact Hdenominator. split; lra.
+  - split; lra.
 Qed.
 
 (** Where (2) and (5) are equal, their difference has a slope that is zero. *)

@@ -1,8 +1,7 @@
 (** * What the extracted program computes in another way
 
-    CoqInterval's arithmetic over [Z] goes through numbers bit by bit.  The extracted program does three
-    of its functions, and Flocq's division, with the library of integers that stands for [Z] there; here is
-    that these are the same functions. *)
+    CoqInterval's arithmetic over [Z] goes through numbers bit by bit.  The extracted program does three of its
+    functions, and Flocq's division, with the library of integers that stands for [Z]; here they are the same. *)
 
 From Coq Require Import ZArith Lia Bool.
 From Flocq Require Import Core.Zaux.

@@ -1,8 +1,8 @@
 (** * Formulas: what they mean, their partial derivatives, and enclosures of both
 
-    The residuals of the equations and the signs of a state are polynomials in the unknowns and in their
-    sines and cosines; (5) has a cotangent as well.  So a formula is a tree of such terms.  An enclosure is
-    computed from those of the unknowns and of their functions, which are computed once. *)
+    The residuals of the equations and the signs of a state are polynomials in the unknowns and in their sines and
+    cosines; (5) has a cotangent as well.  So a formula is a tree of such terms.  An enclosure is computed from those of
+    the unknowns and of their functions, which are computed once. *)
 
 From Coq Require Import Reals ZArith Lra Lia Bool List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
@@ -121,23 +121,18 @@ Fixpoint slope (k : name) (f : formula) : formula :=
 Lemma meaning_nil x f : is_nil f = true -> meaning x f = 0.
 Proof. now destruct f as [[] | | | | | | | | |]. Qed.
 
+Ltac of_nils x f g :=
+  destruct (is_nil f) eqn:Hf, (is_nil g) eqn:Hg; try apply (meaning_nil x) in Hf; try apply (meaning_nil x) in Hg;
+  simpl; rewrite ?Hf, ?Hg; ring.
+
 Lemma meaning_add x f g : meaning x (add0 f g) = meaning x f + meaning x g.
-Proof.
-  unfold add0. destruct (is_nil f) eqn:Hf; [rewrite (meaning_nil x f Hf); ring |].
-  destruct (is_nil g) eqn:Hg; [rewrite (meaning_nil x g Hg); ring | easy].
-Qed.
+Proof. unfold add0. of_nils x f g. Qed.
 
 Lemma meaning_sub x f g : meaning x (sub0 f g) = meaning x f - meaning x g.
-Proof.
-  unfold sub0. destruct (is_nil g) eqn:Hg; [rewrite (meaning_nil x g Hg); ring |].
-  destruct (is_nil f) eqn:Hf; [rewrite (meaning_nil x f Hf); simpl; ring | easy].
-Qed.
+Proof. unfold sub0. of_nils x f g. Qed.
 
 Lemma meaning_mul x f g : meaning x (mul0 f g) = meaning x f * meaning x g.
-Proof.
-  unfold mul0. destruct (is_nil f) eqn:Hf; [simpl orb; cbv iota; rewrite (meaning_nil x f Hf); simpl; ring |].
-  destruct (is_nil g) eqn:Hg; [simpl orb; cbv iota; rewrite (meaning_nil x g Hg); simpl; ring | easy].
-Qed.
+Proof. unfold mul0. of_nils x f g. Qed.
 
 Lemma meaning_opp x f : meaning x (opp0 f) = - meaning x f.
 Proof. unfold opp0. destruct (is_nil f) eqn:Hf; [rewrite (meaning_nil x f Hf); simpl; ring | easy]. Qed.
@@ -327,18 +322,8 @@ Fixpoint enclosed (E : surroundings) (f : formula) : enclosure :=
 
 Theorem has_meaning E x f : surrounds E x -> has (enclosed E f) (meaning x f).
 Proof.
-  intros HE.
-  induction f as [z | p q | n | n | n | n | f IH | f IHf g IHg | f IHf g IHg | f IHf g IHg]; cbn [enclosed meaning].
-  - apply has_integer.
-  - apply has_div; apply has_integer.
-  - apply HE.
-  - apply HE.
-  - apply HE.
-  - apply HE.
-  - now apply has_neg.
-  - now apply has_add.
-  - now apply has_sub.
-  - now apply has_mul.
+  intros HE. induction f; cbn [enclosed meaning]; try apply HE; [apply has_integer | apply has_div; apply has_integer
+    | now apply has_neg | now apply has_add | now apply has_sub | now apply has_mul].
 Qed.
 
 (** No formula divides by a sine that may be zero. *)

@@ -1,7 +1,7 @@
 (** * Exactly one root in a box, computed
 
-    The test of [Contraction.one_root_by_krawczyk] on enclosures: formulas, a box and a matrix are
-    given; that the matrix is regular is seen by elimination over the integers. *)
+    The test of [Contraction.one_root_by_krawczyk] on enclosures: formulas, a box and a matrix are given; that it is
+    regular is seen by elimination over the integers. *)
 
 From Coq Require Import Reals ZArith Lra Lia Bool List.
 From Coquelicot Require Import Coquelicot.
@@ -153,8 +153,7 @@ Proof.
   { intros k Hk. unfold w. now rewrite (proj2 (Nat.ltb_lt k n) Hk). }
   rewrite <- Hw by easy. apply (is_regular_sound n (map integers Y) w); [easy | | | easy].
   - intros row Hrow. apply in_map_iff in Hrow. destruct Hrow as (numbers & <- & Hin). apply product_integers.
-    assert (Hlength : length numbers = n).
-    { apply Nat.eqb_eq. now apply (proj1 (forallb_forall _ _) Hlengths). }
+    assert (Hlength : length numbers = n) by (apply Nat.eqb_eq; now apply (proj1 (forallb_forall _ _) Hlengths)).
     destruct (In_nth _ _ [] Hin) as (i & Hi & Hnth). rewrite Hrows in Hi. rewrite Hlength.
     transitivity (Contraction.sum n (fun j => entries Y i j * v j)); [| now apply Hv]. apply sum_eq. intros k Hk.
     rewrite Hw by easy. unfold entries, entry. now rewrite Hnth.
@@ -254,17 +253,13 @@ Qed.
 (** The box as the theorem wants it. *)
 Definition boxed (c r : list dyadic) (x : point) : Prop := within n (entry r) 1 x (entry c).
 
-Theorem one_root C c r residuals :
-  distinct unknowns = true ->
-  (forall x, boxed c r x -> forall f, In f formulas -> defined (place given unknowns x) f) ->
-  (forall x, boxed c r x -> forall i k, (i < n)%nat -> (k < n)%nat ->
-     Rabs (unit_entry i k - Contraction.sum n (fun j => entries Y i j * partial j k x)) <= entries C i k) ->
-  (forall i, (i < n)%nat -> 0 < entry r i) ->
-  (forall j, (j < n)%nat -> has (nth j residuals anything) (residual j (entry c))) ->
-  narrows C residuals r = true ->
-  is_square n Y = true -> is_regular n (map integers Y) = true ->
-  exists x, boxed c r x /\ solves n residual x /\
-    (forall y, boxed c r y -> solves n residual y -> forall i, (i < n)%nat -> y i = x i).
+Theorem one_root C c r residuals : distinct unknowns = true -> (forall x, boxed c r x -> forall f, In f formulas ->
+    defined (place given unknowns x) f) -> (forall x, boxed c r x -> forall i k, (i < n)%nat -> (k < n)%nat ->
+    Rabs (unit_entry i k - Contraction.sum n (fun j => entries Y i j * partial j k x)) <= entries C i k) ->
+  (forall i, (i < n)%nat -> 0 < entry r i) -> (forall j, (j < n)%nat ->
+    has (nth j residuals anything) (residual j (entry c))) -> narrows C residuals r = true -> is_square n Y = true ->
+  is_regular n (map integers Y) = true -> exists x, boxed c r x /\ solves n residual x /\ (forall y, boxed c r y ->
+    solves n residual y -> forall i, (i < n)%nat -> y i = x i).
 Proof.
   intros Hdistinct Hdefined HC Hr Hresiduals Hnarrows Hsquare Hregular.
   apply (one_root_by_krawczyk n residual partial (entries Y) (entries C)).

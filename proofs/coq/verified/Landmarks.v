@@ -47,11 +47,10 @@ Proof. destruct here as (_ & _ & _ & _ & _ & _ & _ & _ & less). unfold is_least_
 (** It is a solution in the large box; where its joints are, and what is zero there. *)
 Theorem forces_and_joints : List.Forall (holds (flag w) x) (equations_of l) /\ is_fixed l x /\
   in_box (landmark_unknowns l) (unique c) x /\ 0 < x Alpha < PI /\ 0 < x Eta <= 2 /\
-  0 < normal_force (x Alpha) (x Thrust) /\ (l = WidestJoint -> 0 < x BetaR < x Alpha) /\
-  (l = Triple -> x BetaS < x BetaR < x Alpha /\
-     at_crown (x Eta) (x Thrust) = at_shoulder (flag w) (x Alpha) (x Eta) (x Thrust)) /\
-  (friction_there l x <> None -> 0 < x BetaS < x Alpha /\ 0 < x Thrust < 1 /\
-     x Mu = mu_ss (x Alpha) (x Thrust) /\ x Mu = mu_is (x Thrust) /\ x BetaS = beta_s (x Thrust)).
+  0 < normal_force (x Alpha) (x Thrust) /\ (l = WidestJoint -> 0 < x BetaR < x Alpha) /\ (l = Triple ->
+    x BetaS < x BetaR < x Alpha /\ at_crown (x Eta) (x Thrust) = at_shoulder (flag w) (x Alpha) (x Eta) (x Thrust)) /\
+  (friction_there l x <> None -> 0 < x BetaS < x Alpha /\ 0 < x Thrust < 1 /\ x Mu = mu_ss (x Alpha) (x Thrust) /\
+    x Mu = mu_is (x Thrust) /\ x BetaS = beta_s (x Thrust)).
 Proof.
   destruct here as ((hold & fixed) & (box & _) & _ & _ & _ & (half & thick & order) & (slides & zero) & (N & h & _) & _).
   refine (conj hold (conj fixed (conj box (conj half (conj thick (conj N (conj _ (conj _ _)))))))).

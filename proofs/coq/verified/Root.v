@@ -186,9 +186,8 @@ Proof.
     rewrite (nth_indep _ _ (f (plain anything, nought)))
       by (rewrite map_length, combine_length, Hlength, Hr, Nat.min_id; easy).
     rewrite map_nth, combine_nth, points_nth by congruence. unfold f. simpl fst. simpl snd.
-    apply (covers_spread _ (value (nth i c nought))).
-    + apply covers_functions, has_exact.
-    + specialize (Hx i Hi). now rewrite Rmult_1_l in Hx.
+    apply (covers_spread _ (value (nth i c nought))); [apply covers_functions, has_exact
+      | specialize (Hx i Hi); now rewrite Rmult_1_l in Hx].
 Qed.
 
 Lemma is_inside_sound b B x : is_inside prec n b B = true ->
@@ -247,14 +246,12 @@ Proof.
     congruence.
 Qed.
 
-Theorem located_sound c full given g s E :
-  (forall prec, surrounds (given prec) g) -> located c full given s = Some E ->
-  exists x : configuration,
-    surrounds E x /\ (forall n, existsb (same n) (unknowns s) = false -> x n = g n) /\
-    (forall f, In f (zeros s) -> meaning x f = 0 /\ defined x f) /\
-    (forall f, In f (divisors s) -> meaning x f <> 0) /\ in_box (unknowns s) (unique c) x /\
-    (forall y, in_box (unknowns s) (unique c) y -> (forall n, existsb (same n) (unknowns s) = false -> y n = g n) ->
-       (forall f, In f (zeros s) -> meaning y f = 0) -> forall n, y n = x n).
+Theorem located_sound c full given g s E : (forall prec, surrounds (given prec) g) ->
+  located c full given s = Some E -> exists x : configuration, surrounds E x /\
+  (forall n, existsb (same n) (unknowns s) = false -> x n = g n) /\ (forall f, In f (zeros s) -> meaning x f = 0 /\
+    defined x f) /\ (forall f, In f (divisors s) -> meaning x f <> 0) /\ in_box (unknowns s) (unique c) x /\
+  (forall y, in_box (unknowns s) (unique c) y -> (forall n, existsb (same n) (unknowns s) = false -> y n = g n) ->
+    (forall f, In f (zeros s) -> meaning y f = 0) -> forall n, y n = x n).
 Proof.
   intros Hg. unfold located. set (u := unknowns s). set (n := length u).
   set (wide := (longest (centre (unique c)) + 64)%Z). cbv zeta.

@@ -27,10 +27,8 @@ Proof. now destruct f. Qed.
 
 Lemma has_friction prec f : has (enclosed_friction prec f) (coefficient_or_zero f).
 Proof.
-  destruct f; cbn [enclosed_friction]; unfold coefficient_or_zero; cbn [coefficient].
-  - apply has_number.
-  - apply has_div; [apply has_sin | apply has_cos]; apply has_number.
-  - rewrite <- value_nought. apply has_exact.
+  destruct f; cbn [enclosed_friction]; unfold coefficient_or_zero; cbn [coefficient]; [apply has_number
+    | apply has_div; [apply has_sin | apply has_cos]; apply has_number | rewrite <- value_nought; apply has_exact].
 Qed.
 
 (** The numbers that are given; the others are zero. *)
@@ -43,9 +41,8 @@ Lemma surrounds_given L l : (forall prec, List.Forall2 agree (L prec) l) ->
   forall prec, surrounds (given L prec) (numbers_in l).
 Proof.
   intros Hall prec. apply surrounds_remembered. intros n. apply covers_functions. unfold numbers_in.
-  specialize (Hall prec). induction Hall as [| nX nx L' l' [Hn Hx] _ IH]; cbn [find].
-  - rewrite <- value_nought. apply has_exact.
-  - rewrite Hn. destruct (same n (fst nx)); [exact Hx | exact IH].
+  specialize (Hall prec). induction Hall as [| nX nx L' l' [Hn Hx] _ IH]; cbn [find];
+    [rewrite <- value_nought; apply has_exact | rewrite Hn; destruct (same n (fst nx)); [exact Hx | exact IH]].
 Qed.
 
 Lemma real_positive n : (0 < numerator n)%Z -> 0 < real n.
@@ -82,7 +79,7 @@ Qed.
 Lemma friction_not_negative a : is_arch a -> 0 <= coefficient_or_zero (its_friction a).
 Proof.
   intros [_ H]. unfold coefficient_or_zero. destruct (its_friction a); cbn [coefficient]; [easy | | lra].
-  apply Rmult_le_pos; [apply sin_ge_0; lra | apply Rlt_le, Rinv_0_lt_compat, cos_gt_0; lra].
+  apply Rmult_le_pos; [positive | apply Rlt_le, Rinv_0_lt_compat, cos_gt_0; lra].
 Qed.
 
 Ltac given_numbers :=
@@ -103,13 +100,9 @@ Proof.
   assert (angle : has (if limited then I.atan prec (itself (E Mu)) else I.div prec (I.pi prec) (integer prec 2))
                     (friction_angle (if limited then Some (x Mu) else None))).
   { destruct limited; [apply has_atan, HE | apply has_div; [apply has_pi | apply (has_integer prec 2)]]. }
-  destruct q; cbn [value_of].
-  - apply HE.
-  - apply degrees, HE.
-  - apply has_mul; apply HE.
-  - apply has_div; [apply has_mul; apply HE |]. apply has_sub; [apply (has_integer prec 1) | apply HE].
-  - exact angle.
-  - now apply degrees.
+  destruct q; cbn [value_of];
+    [apply HE | apply degrees, HE | apply has_mul; apply HE | | exact angle | now apply degrees].
+  apply has_div; [apply has_mul; apply HE |]. apply has_sub; [apply (has_integer prec 1) | apply HE].
 Qed.
 
 Lemma power_of_ten k : (0 <= k)%Z -> IZR (10 ^ k) = powerRZ 10 k.
@@ -276,17 +269,14 @@ Proof.
   { destruct g; try exact Logic.I.
     - apply (Hzeros (cleared w (Tangency joint))); [now apply (in_map (cleared w)) | simpl; auto].
     - now destruct (Hsimple joint). }
-  refine (conj _ (conj denominators sine)). apply cleared_is_printed; [easy | |].
-  - destruct g; try easy. now destruct (Hsimple joint).
-  - apply Hzeros. now apply (in_map (cleared w)).
+  refine (conj _ (conj denominators sine)). apply cleared_iff_printed; [easy | |];
+    [destruct g; try easy; now destruct (Hsimple joint) | apply Hzeros; now apply (in_map (cleared w))].
 Qed.
 
-Lemma is_only_sound c w u e x g : (forall b, ~ In (DoubleThickness b) e) ->
-  (forall n, existsb (same n) u = false -> x n = g n) ->
-  (in_box u (unique c) x /\
-   forall y, in_box u (unique c) y -> (forall n, existsb (same n) u = false -> y n = g n) ->
-     (forall f, In f (map (cleared w) e) -> meaning y f = 0) -> forall n, y n = x n) ->
-  is_only c w u e x.
+Lemma is_only_sound c w u e x g : (forall b, ~ In (DoubleThickness b) e) -> (forall n, existsb (same n) u = false ->
+    x n = g n) -> (in_box u (unique c) x /\ forall y, in_box u (unique c) y ->
+    (forall n, existsb (same n) u = false -> y n = g n) -> (forall f, In f (map (cleared w) e) -> meaning y f = 0) ->
+    forall n, y n = x n) -> is_only c w u e x.
 Proof.
   intros Hsimple Hgiven [Hbox Honly]. split; [exact Hbox |]. intros y Hy Hsame Hholds. apply Honly; [exact Hy | |].
   - intros n Hn. rewrite <- Hgiven by exact Hn. apply Hsame. intros Hin.
@@ -294,7 +284,7 @@ Proof.
     split; [exact Hin | now destruct (same_spec n n)].
   - intros f Hf. apply in_map_iff in Hf as (g' & <- & Hg).
     destruct (proj1 (List.Forall_forall _ _) Hholds g' Hg) as (Hprinted & D & Hsine).
-    apply printed_is_cleared; [exact D | destruct g'; try exact Hsine; now apply (Hsimple joint) | exact Hprinted].
+    apply cleared_iff_printed; [exact D | destruct g'; try exact Hsine; now apply (Hsimple joint) | exact Hprinted].
 Qed.
 
 Lemma holds_printed d x l : List.Forall (holds d x) l -> List.Forall (printed d x) l.
@@ -496,9 +486,8 @@ Proof.
     - apply (inside_nearest_at_haunch _ _ _ _ _) with (beta := x BetaR); try easy; unfold room in *; in_numbers; try lra.
       + assert (Hinner : meaning x inner <> 0) by (apply Hdivisors; simpl; auto). in_numbers. lra.
       + unfold Verdicts.room, intrados, normal_force. lra.
-    - apply inside_nearest_at_shoulder; try easy; unfold room, still_nearer in *; in_numbers; try lra.
-      + unfold Verdicts.room, intrados, normal_force. lra.
-      + unfold intrados. lra. }
+    - apply inside_nearest_at_shoulder; try easy; unfold room, still_nearer in *; in_numbers; try lra;
+        [unfold Verdicts.room, intrados, normal_force; lra | unfold intrados; lra]. }
   assert (admitted : is_admissible (flag w) (coefficient f) x (value p)).
   { rewrite coefficient_is. unfold is_admissible. destruct (is_limited f); [| exact inside]. rewrite <- mu.
     intros y Hy. split; [now apply inside |].
@@ -528,8 +517,7 @@ Proof.
   apply (List.Forall_app (holds (flag w) x) first [DoubleThickness BetaR]). split; [exact H |].
   assert (sine : sin (x BetaR) <> 0) by (apply (Hzeros (cleared w (Tangency BetaR))); simpl; auto).
   apply List.Forall_cons; [| apply List.Forall_nil]. split; [| now split]. apply (cleared_double w x BetaR); try easy.
-  - apply Hdivisors. simpl. auto.
-  - apply Hdivisors. simpl. auto.
+  1-2: apply Hdivisors; simpl; auto.
   - exact (proj1 (proj1 (List.Forall_forall _ _) H (LowerThrust BetaR) ltac:(simpl; auto))).
   - exact (proj1 (proj1 (List.Forall_forall _ _) H (Tangency BetaR) ltac:(simpl; auto))).
   - apply Hzeros. simpl. auto.
@@ -634,13 +622,11 @@ Proof.
 Qed.
 
 (** A solution is fixed by its unknowns. *)
-Lemma landmark_only c w l x g :
-  in_box (landmark_unknowns l) (unique c) x -> is_fixed l g ->
-  (forall y, in_box (landmark_unknowns l) (unique c) y ->
-     (forall n, existsb (same n) (landmark_unknowns l) = false -> y n = g n) ->
-     (forall f, In f (map (cleared w) (equations_of l)) -> meaning y f = 0) -> forall n, y n = x n) ->
-  forall y, in_box (landmark_unknowns l) (unique c) y -> solves_there l w y ->
-  forall n, In n (landmark_unknowns l) -> y n = x n.
+Lemma landmark_only c w l x g : in_box (landmark_unknowns l) (unique c) x -> is_fixed l g ->
+  (forall y, in_box (landmark_unknowns l) (unique c) y -> (forall n, existsb (same n) (landmark_unknowns l) = false ->
+    y n = g n) -> (forall f, In f (map (cleared w) (equations_of l)) -> meaning y f = 0) -> forall n, y n = x n) ->
+  forall y, in_box (landmark_unknowns l) (unique c) y -> solves_there l w y -> forall n, In n (landmark_unknowns l) ->
+  y n = x n.
 Proof.
   intros Hbox Hg Honly y Hy [Hholds Hfixed] n Hn.
   set (z := fun n => if existsb (same n) (landmark_unknowns l) then y n else g n).
@@ -655,7 +641,7 @@ Proof.
       destruct l; simpl in He; repeat destruct He as [<- | He]; try easy; destruct w, k; try easy;
         cbn [is_fixed existsb same landmark_unknowns orb] in *; intuition congruence.
     + destruct (proj1 (List.Forall_forall _ _) Hholds e He) as (Hprinted & D & Hsine).
-      destruct e; try (now apply printed_is_cleared).
+      destruct e; try (now apply cleared_iff_printed).
       destruct l; simpl in He; repeat destruct He as [He | He]; try easy. injection He as <-. list_of Hholds.
       unfold holds in *. cbn [denominator] in *. repeat match goal with H : _ /\ _ |- _ => destruct H end.
       repeat match goal with D : forall f, _ -> meaning _ f <> 0 |- _ => specialize (D _ (or_introl eq_refl)) end.
@@ -775,6 +761,11 @@ Proof.
   rewrite meaning_across, meaning_upwards. replace (x Eta * (1 / 2)) with (x Eta / 2) by field. repeat split.
 Qed.
 
+(** A margin or a slope that is one of those that are zero. *)
+Ltac vanishes zero :=
+  rewrite <- ?margin_right, <- ?margin_left, <- ?slope_right, <- ?slope_left; apply zero;
+  cbn [asymmetric_zeros app In]; tauto.
+
 Lemma check_asymmetric_sound c k a : about c = Asymmetric k a -> check_asymmetric c k a = true -> claim_of c.
 Proof.
   intros Habout. unfold check_asymmetric, claim_of. rewrite Habout. cbv zeta. set (w := self_weight a).
@@ -788,21 +779,15 @@ Proof.
   assert (Hvalues : values_hold c (Some (x Mu)) (rates_of k x)).
   { apply (hold_values_sound full true (with_rates full k E)); try easy. now apply surrounds_rates. }
   assert (zero : forall g, In g (asymmetric_zeros w k) -> meaning x g = 0) by (intros g Hg; now apply Hzeros).
-  assert (crown : is_margin (flag w) x FromExtrados (x Hinge) = 0)
-    by (rewrite <- (margin_right w); apply zero; cbn [asymmetric_zeros app In]; tauto).
-  assert (crown' : is_margin_slope (flag w) x FromExtrados (x Hinge) = 0)
-    by (rewrite <- (slope_right w); apply zero; cbn [asymmetric_zeros app In]; tauto).
-  assert (haunch : is_margin (flag w) x FromIntrados (- x BetaR) = 0)
-    by (rewrite <- (margin_left w); apply zero; cbn [asymmetric_zeros app In]; tauto).
-  assert (haunch' : is_margin_slope (flag w) x FromIntrados (- x BetaR) = 0)
-    by (rewrite <- (slope_left w); apply zero; cbn [asymmetric_zeros app In]; tauto).
-  assert (shoulder : is_margin (flag w) x AgainstOutwards (x Alpha) = 0)
-    by (rewrite <- (margin_right w); apply zero; cbn [asymmetric_zeros app In]; tauto).
-  assert (inside : k = SlidesInside -> is_margin (flag w) x AgainstOutwards (- x BetaS) = 0
-                                       /\ is_margin_slope (flag w) x AgainstOutwards (- x BetaS) = 0).
-  { intros ->. rewrite <- (margin_left w), <- (slope_left w). split; apply zero; cbn [asymmetric_zeros app In]; tauto. }
-  assert (opens : k = OpensAtShoulder -> is_margin (flag w) x FromExtrados (x Alpha) = 0).
-  { intros ->. rewrite <- (margin_right w). apply zero. cbn [asymmetric_zeros app In]. tauto. }
+  assert (crown : is_margin (flag w) x FromExtrados (x Hinge) = 0) by vanishes zero.
+  assert (crown' : is_margin_slope (flag w) x FromExtrados (x Hinge) = 0) by vanishes zero.
+  assert (haunch : is_margin (flag w) x FromIntrados (- x BetaR) = 0) by vanishes zero.
+  assert (haunch' : is_margin_slope (flag w) x FromIntrados (- x BetaR) = 0) by vanishes zero.
+  assert (shoulder : is_margin (flag w) x AgainstOutwards (x Alpha) = 0) by vanishes zero.
+  assert (inside : k = SlidesInside -> is_margin (flag w) x AgainstOutwards (- x BetaS) = 0 /\
+    is_margin_slope (flag w) x AgainstOutwards (- x BetaS) = 0) by (intros ->; split; vanishes zero).
+  assert (opens : k = OpensAtShoulder -> is_margin (flag w) x FromExtrados (x Alpha) = 0)
+    by (intros ->; vanishes zero).
   assert (Hknown : List.Forall (is_known w x) (known_margins w k E)).
   { unfold known_margins.
     repeat apply List.Forall_cons; try apply List.Forall_nil;
@@ -819,7 +804,7 @@ Proof.
                       ltac:(pose proof PI_4; lra) Hknown j Hj).
     unfold known_margins in Hall. list_of Hall. cbn [fst is_margin] in *. tauto. }
   assert (Hsigns := all_signs full E x _ ltac:(eassumption) HE).
-  assert (Hs : 0 < x Alpha -> sin (x Alpha) <> 0) by (intros Ha; apply Rgt_not_eq, sin_gt_0; lra).
+  assert (Hs : 0 < x Alpha -> sin (x Alpha) <> 0) by (intros Ha; positive).
   split; [exact Harch |]. exists (rates_of k x). refine (conj alpha (conj _ (conj _ (conj _ Hvalues)))).
   - rewrite coefficient_is. fold f. change (rates_of k x Mu) with (x Mu). rewrite mu.
     now replace (is_limited f) with true.
@@ -870,12 +855,7 @@ Qed.
 
 Theorem sound c : check c = true -> claim_of c.
 Proof.
-  unfold check. destruct (about c) eqn:Habout.
-  - now apply check_state_sound.
-  - now apply check_too_thin_sound.
-  - now apply check_slides_sound.
-  - now apply check_too_wide_sound.
-  - now apply check_stands_sound.
-  - now apply check_landmark_sound.
-  - now apply check_asymmetric_sound.
+  unfold check. destruct (about c) eqn:Habout; [now apply check_state_sound | now apply check_too_thin_sound
+    | now apply check_slides_sound | now apply check_too_wide_sound | now apply check_stands_sound
+    | now apply check_landmark_sound | now apply check_asymmetric_sound].
 Qed.

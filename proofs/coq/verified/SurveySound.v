@@ -25,9 +25,8 @@ Proof.
   cbn [are_in_order]. destruct (is_same_form a b) eqn:Hform; intros H.
   - apply Qle_bool_iff, Qle_Rle in H. assert (P := PI_RGT_0).
     destruct a as [p q | p q | p q], b as [p' q' | p' q' | p' q']; try discriminate; cbn [real factor] in *;
-      change (fraction p q <= fraction p' q') in H; [exact H | |].
-    + apply Rmult_le_compat_r; lra.
-    + destruct H as [H | ->]; [apply atan_increasing in H |]; lra.
+      change (fraction p q <= fraction p' q') in H; [exact H | apply Rmult_le_compat_r; lra |].
+      destruct H as [H | ->]; [apply atan_increasing in H |]; lra.
   - assert (real a < real b); [| lra].
     now apply (difference_sound prec (enclosed_number prec b) (enclosed_number prec a)); try apply has_number.
 Qed.
@@ -76,12 +75,8 @@ Proof.
       | H : is_same_friction _ _ = true |- _ => apply same_friction_sound in H
       end;
     replace (self_weight a') with (self_weight a) by (destruct (self_weight a), (self_weight a'); easy); congruence).
-  - match goal with H : is_same_number t u = true |- _ => apply same_number_sound in H as -> end. rewrite <- E.
-    apply Hcheck.
-  - rewrite <- E. apply Hcheck.
-  - rewrite <- E. now apply Hcheck.
-  - match goal with H : is_same_number t u = true |- _ => apply same_number_sound in H as -> end. rewrite <- E.
-    apply Hcheck.
+  all: try match goal with H : is_same_number ?t _ = true |- context [real ?t] => apply same_number_sound in H as -> end.
+  all: rewrite <- E; now apply Hcheck.
 Qed.
 
 (** ** Circles *)
@@ -127,18 +122,14 @@ Proof.
 Qed.
 
 (** Comparisons, in real numbers. *)
-Lemma below_sound a b : Qle_bool a b = true -> Q2R a <= Q2R b.
-Proof. intros H. now apply Qle_Rle, Qle_bool_iff. Qed.
 Lemma above_sound a b : Qle_bool a b = false -> Q2R b < Q2R a.
 Proof. intros H. apply Qlt_Rlt. apply Qnot_le_lt. intros Hle. apply Qle_bool_iff in Hle. congruence. Qed.
-Lemma equal_sound a b : Qeq_bool a b = true -> Q2R a = Q2R b.
-Proof. intros H. now apply Qeq_eqR, Qeq_bool_eq. Qed.
 Lemma unequal_sound a b : Qeq_bool a b = false -> Q2R a <> Q2R b.
 Proof. intros H E. apply eqR_Qeq, Qeq_eq_bool in E. congruence. Qed.
 Ltac compared := repeat match goal with
-  | H : Qle_bool _ _ = true |- _ => apply below_sound in H
+  | H : Qle_bool _ _ = true |- _ => apply Qle_bool_iff, Qle_Rle in H
   | H : Qle_bool _ _ = false |- _ => apply above_sound in H
-  | H : Qeq_bool _ _ = true |- _ => apply equal_sound in H
+  | H : Qeq_bool _ _ = true |- _ => apply Qeq_bool_eq, Qeq_eqR in H
   | H : Qeq_bool _ _ = false |- _ => apply unequal_sound in H
   end.
 
@@ -450,9 +441,8 @@ Proof.
   { intros d b p Hp Hd. unfold decides in Hd. destruct (deciding s d (its_step p)) as [[a t] |] eqn:E; [| easy].
     apply andb_true_iff in Hd as [Ht Hc]. exists (real (half_opening a)), (real t), (coefficient (its_friction a)).
     split; [now apply (single_is_surveyed s d p) |]. assert (W : self_weight a = survey_weight s).
-    { revert E. unfold deciding. destruct (its_shape s) as [[] |], (its_step p) as [[] |]; try easy.
-      - now intros [= <- _].
-      - destruct (is_step _ _ _ _); [now intros [= <- _] | easy]. }
+    { revert E. unfold deciding. destruct (its_shape s) as [[] |], (its_step p) as [[] |]; try easy;
+        [now intros [= <- _] | destruct (is_step _ _ _ _); [now intros [= <- _] | easy]]. }
     assert (D := decided_sound _ _ _ _ Hc Ht). unfold stands in D. now rewrite W in D. }
   refine (conj _ (conj _ _)).
   - intros alpha eta mu Harch. now apply (surveyed_is_arch s).

@@ -1,8 +1,8 @@
 (** * Admissible at every joint of the whole arch, computed
 
-    A margin is nowhere negative on a piece of the arch where it is positive in the middle and its slope does
-    not change that; or near a joint where it touches zero, as it bends away there; or near the springing where
-    it is zero, as it falls towards it.  The arch is cut into pieces until each is one of these. *)
+    A margin is nowhere negative on a piece of the arch where it is positive in the middle and its slope does not change
+    that; or near a joint where it touches zero, as it bends away there; or near the springing where it is zero, as it
+    falls towards it.  The arch is cut into pieces until each is one of these. *)
 
 From Coq Require Import Reals ZArith Lra Lia Bool List.
 From Interval Require Import Interval.Interval.
@@ -106,16 +106,16 @@ Proof. destruct w, m; simpl; tauto. Qed.
 Lemma along_is w m x j : meaning (at_joint x j) (along w m) = is_margin (flag w) x m j.
 Proof. unfold along. rewrite margin_right. destruct m; reflexivity. Qed.
 
+Lemma margin_has_slope w x m j : is_derive (is_margin (flag w) x m) j (is_margin_slope (flag w) x m j).
+Proof.
+  destruct m; [apply extrados_has_slope | apply intrados_has_slope | apply inwards_has_slope | apply outwards_has_slope].
+Qed.
+
 Lemma along_slope_is w m x j : meaning (at_joint x j) (along_slope w m) = is_margin_slope (flag w) x m j.
 Proof.
   assert (H := derivative_along x (along w m) j (along_plain w m)). apply is_derive_unique in H. unfold along_slope.
-  rewrite <- H. apply is_derive_unique.
-  apply (is_derive_ext (is_margin (flag w) x m)); [intros s; symmetry; apply along_is |].
-  destruct m; cbn [is_margin is_margin_slope].
-  - apply extrados_has_slope.
-  - apply intrados_has_slope.
-  - apply inwards_has_slope.
-  - apply outwards_has_slope.
+  rewrite <- H. apply is_derive_unique, (is_derive_ext (is_margin (flag w) x m)); [| apply margin_has_slope].
+  intros s. symmetry. apply along_is.
 Qed.
 
 (** ** Pieces *)
@@ -195,16 +195,10 @@ Notation not_negative m j := (0 <= is_margin (flag w) x m j).
 Lemma surrounds_joint F j : covers F j -> surrounds (with_joint E F) (at_joint x j).
 Proof. intros HF n. unfold with_joint, at_joint. destruct (same Joint n); [exact HF | apply around]. Qed.
 
-Lemma margin_derivative m j : is_derive (is_margin (flag w) x m) j (is_margin_slope (flag w) x m j).
-Proof.
-  destruct m; [apply extrados_has_slope | apply intrados_has_slope | apply inwards_has_slope | apply outwards_has_slope].
-Qed.
-
 Lemma slope_derivative m j : is_derive (is_margin_slope (flag w) x m) j (meaning (at_joint x j) (along_bend w m)).
 Proof.
-  apply (is_derive_ext (fun s => meaning (at_joint x s) (along_slope w m))).
-  - intros s. apply along_slope_is.
-  - apply derivative_along, along_slope_plain.
+  apply (is_derive_ext (fun s => meaning (at_joint x s) (along_slope w m))); [intros s; apply along_slope_is
+    | apply derivative_along, along_slope_plain].
 Qed.
 
 (** A set on which a margin is not negative inside the arch. *)
@@ -217,30 +211,24 @@ Proof.
   intros Htest Hc H0 H1 j Hj _. assert (bend : forall k, has near k -> 0 <= meaning (at_joint x k) (along_bend w m)).
   { intros k Hk. apply Rlt_le, (is_positive_sound _ _ Htest), has_meaning, surrounds_joint, covers_angle, Hk. }
   apply (Whole.touching (is_margin (flag w) x m) (is_margin_slope (flag w) x m)
-           (fun k => meaning (at_joint x k) (along_bend w m)) (Rmin j c) (Rmax j c) c).
-  - intros. apply margin_derivative.
-  - intros. apply slope_derivative.
-  - exact H0.
-  - exact H1.
-  - intros k Hk. apply bend. destruct (Rle_dec j c).
-    + rewrite Rmin_left, Rmax_right in Hk by lra. now apply (convex near j c).
-    + rewrite Rmin_right, Rmax_left in Hk by lra. now apply (convex near c j).
-  - split; [apply Rmin_r | apply Rmax_r].
-  - split; [apply Rmin_l | apply Rmax_l].
+           (fun k => meaning (at_joint x k) (along_bend w m)) (Rmin j c) (Rmax j c) c);
+    [intros; apply margin_has_slope | intros; apply slope_derivative | exact H0 | exact H1 |
+    | split; [apply Rmin_r | apply Rmax_r] | split; [apply Rmin_l | apply Rmax_l]].
+  intros k Hk. apply bend. destruct (Rle_dec j c).
+  - rewrite Rmin_left, Rmax_right in Hk by lra. now apply (convex near j c).
+  - rewrite Rmin_right, Rmax_left in Hk by lra. now apply (convex near c j).
 Qed.
 
 Lemma safe_if_falls m near : falls prec w E m near = true -> has near (x Alpha) ->
   is_margin (flag w) x m (x Alpha) = 0 -> safe m near.
 Proof.
   intros Htest Halpha H0 j Hj Hin.
-  apply (falling (is_margin (flag w) x m) (is_margin_slope (flag w) x m) j (x Alpha)).
-  - intros. apply margin_derivative.
-  - exact H0.
-  - intros k Hk. assert (has near k) by (now apply (convex near j (x Alpha))).
-    assert (0 < - meaning (at_joint x k) (along_slope w m)).
-    { apply (is_positive_sound _ _ Htest), has_neg, has_meaning, surrounds_joint. now apply covers_angle. }
-    rewrite along_slope_is in *. lra.
-  - lra.
+  apply (falling (is_margin (flag w) x m) (is_margin_slope (flag w) x m) j (x Alpha));
+    [intros; apply margin_has_slope | exact H0 | | lra]. intros k Hk.
+  assert (has near k) by (now apply (convex near j (x Alpha))).
+  assert (0 < - meaning (at_joint x k) (along_slope w m)).
+  { apply (is_positive_sound _ _ Htest), has_neg, has_meaning, surrounds_joint. now apply covers_angle. }
+  rewrite along_slope_is in *. lra.
 Qed.
 
 Definition is_known (km : known_margin) : Prop := forall near, In near (snd km) -> safe (fst km) near.
@@ -262,13 +250,12 @@ Proof.
   - apply existsb_exists in Hnear. destruct Hnear as (near & Hin' & Hsubset). apply (Hknown near Hin'); [| exact Hin].
     apply (I.subset_correct (itself G) near); [apply (HG j Hj) | exact Hsubset].
   - destruct (MVT_gen (is_margin (flag w) x (fst km)) c j (is_margin_slope (flag w) x (fst km))) as (k & Hk & Hvalue).
-    + intros k _. apply margin_derivative.
+    + intros k _. apply margin_has_slope.
     + intros k _. apply continuity_pt_filterlim. apply (ex_derive_continuous (is_margin (flag w) x (fst km))).
-      eexists. apply margin_derivative.
+      eexists. apply margin_has_slope.
     + assert (Hkj : Rabs (k - c) <= value (Dyadic 1 e)).
-      { eapply Rle_trans; [| exact Hj]. unfold Rmin, Rmax in Hk. destruct (Rle_dec c j).
-        - rewrite !Rabs_pos_eq by lra. lra.
-        - rewrite !Rabs_left1 by lra. lra. }
+      { eapply Rle_trans; [| exact Hj]. unfold Rmin, Rmax in Hk. destruct (Rle_dec c j);
+          [rewrite !Rabs_pos_eq by lra; lra | rewrite !Rabs_left1 by lra; lra]. }
       enough (0 < is_margin (flag w) x (fst km) c + is_margin_slope (flag w) x (fst km) k * (j - c)) by lra.
       apply (is_positive_sound _ _ Hpositive). apply has_add.
       * rewrite <- along_is. apply has_meaning, surrounds_joint, covers_middle.
