@@ -33,7 +33,7 @@ if [ "${1:-}" = --ready ]; then exit 0; fi
 export RUSTFLAGS="--remap-path-prefix=$(cd .. && pwd)=/couplet --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=/cargo"
 # What is loaded is small rather than quick.
 options=(--quiet --locked --release --package couplet-page --target $target --target-dir "$out"
-  --config profile.release.opt-level=2 --config profile.release.lto=true --config profile.release.codegen-units=1
+  --config profile.release.lto=true --config profile.release.codegen-units=1
   --config 'profile.release.panic="abort"' --config profile.release.strip=true)
 if [ $how = rustup ]; then
   cargo build "${options[@]}" >&2

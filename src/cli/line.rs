@@ -1,5 +1,6 @@
 //! The command of this run: what a picture or a record says of how it was made, and who hears what it writes and says.
 
+use crate::ask::quoted;
 use crate::check::visible;
 use std::cell::RefCell;
 use std::ffi::OsString;
@@ -44,7 +45,8 @@ pub(super) fn typed() -> String {
         let name = file.and_then(|file| Path::new(file).file_name());
         name.map_or_else(|| text.to_string(), |name| format!("{option}{}", name.to_string_lossy()))
     };
-    let words: Vec<String> = RUN.with_borrow(|run| run.words.iter().map(&mut word).collect());
+    let words: Vec<String> =
+        RUN.with_borrow(|run| run.words.iter().map(|text| quoted(&word(text))).collect());
     format!("couplet {}", words.join(" "))
 }
 

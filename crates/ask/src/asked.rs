@@ -6,6 +6,14 @@ use super::range::Range;
 use crate::number::{is_range, shown};
 use std::str::FromStr;
 
+/// Text as a word of a command line.
+pub fn quoted(text: &str) -> String {
+    match text.chars().all(|c| c.is_alphanumeric() || "./+-,_:=°±".contains(c)) {
+        true => text.to_owned(),
+        false => format!("'{}'", text.replace('\'', "'\\''")),
+    }
+}
+
 /// Declares [`ArchAsked`] and [`Field`] in one list.
 macro_rules! fields {
     ($($(#[doc = $doc:literal])+ $variant:ident $name:ident $value:literal $($letter:literal)? $(in $heading:literal)?),* $(,)?) => {
@@ -137,11 +145,6 @@ impl ArchAsked {
     /// Options of the command that ask the same.
     pub fn options(&self) -> String {
         let said = |field: Field| Some((Spelling::Option.of(field), self.get(field)?));
-        let quoted =
-            |text: &str| match text.chars().all(|c| c.is_alphanumeric() || "./+-°".contains(c)) {
-                true => text.to_owned(),
-                false => format!("'{}'", text.replace('\'', "'\\''")),
-            };
         let options = Field::ALL.iter().copied().filter_map(said);
         options.map(|(name, text)| format!(" {name} {}", quoted(text))).collect()
     }
@@ -231,7 +234,7 @@ mod tests {
     #[test]
     fn an_arch_is_one_line_of_text_and_one_of_options() {
         let asked = ArchAsked::parse(" span = 10m;rise=3m; mu=1/2; joints=0,1 ;").unwrap();
-        assert_eq!(asked.options(), " --friction 1/2 --joints '0,1' --span 10m --rise 3m");
+        assert_eq!(asked.options(), " --friction 1/2 --joints 0,1 --span 10m --rise 3m");
         for (text, why) in [
             ("colour=red", "none of the fields of an arch: half_opening"),
             ("mu=1; span", "'span' has no value"),
@@ -254,7 +257,7 @@ mod tests {
             alone.collect::<Vec<_>>(),
             [
                 " --friction 0.5..0.7 --thickness 60cm..0.6m --span 10m --rise 3m --radius 1m",
-                " --friction 0.6 --thickness 60cm..0.6m --span '10m±2cm' --rise 3m --radius 1m",
+                " --friction 0.6 --thickness 60cm..0.6m --span 10m±2cm --rise 3m --radius 1m",
                 " --friction 0.6 --thickness 60cm..0.6m --span 10m --rise 2.9m..310cm --radius 1m",
             ]
         );

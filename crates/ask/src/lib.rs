@@ -25,7 +25,7 @@ mod range;
 mod stones;
 mod survey;
 
-pub use asked::{ArchAsked, Field};
+pub use asked::{ArchAsked, Field, quoted};
 pub use boxes::{boxes, steps};
 pub use given::ArchGiven;
 pub use note::{array_note, notes, tilt_note};

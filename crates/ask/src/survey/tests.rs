@@ -103,10 +103,7 @@ fn stones_stay_where_they_are() {
             "alpha=1 stones=5 mu=0.5..0.6 eta=0.1",
             " --half-opening 1 --friction 0.6 --thickness 0.1 --stones 5",
         ),
-        (
-            "joints=0,0.5,1 mu=0.6 eta=0.1..0.2",
-            " --friction 0.6 --thickness 0.2 --joints '0,0.5,1'",
-        ),
+        ("joints=0,0.5,1 mu=0.6 eta=0.1..0.2", " --friction 0.6 --thickness 0.2 --joints 0,0.5,1"),
         (
             "span=10m rise=3m stones=5 phi=31deg eta=50cm±2cm",
             " --friction-angle 31deg --thickness 52cm --stones 5 --span 10m --rise 3m",

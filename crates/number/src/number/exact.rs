@@ -5,6 +5,7 @@ mod sine;
 pub use sine::{rational_sine_and_cosine, sine_and_cosine};
 
 use super::range::{TELL_OF_RANGES, is_range};
+use super::spelt::over_twos;
 use super::unit::{AngleUnit, minutes, unit};
 use super::{
     Angle, Decimal, Dyadic, Engine, Field, ParseDecimalError, as_text, decimal, is_plain, says,
@@ -12,6 +13,7 @@ use super::{
 };
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
+use num_traits::float::FloatCore as _;
 use std::fmt;
 use std::hash::{Hash, Hasher};
 use std::str::FromStr;
@@ -281,7 +283,8 @@ mod mpfr {
                 let sign = if *x < 0 { Sign::Minus } else { Sign::Plus };
                 BigInt::from_slice(sign, &x.to_digits::<u32>(Order::Lsf))
             };
-            Self::rational(BigRational::new(integer(value.numer()), integer(value.denom())))
+            // It is in lowest terms there.
+            Self::rational(BigRational::new_raw(integer(value.numer()), integer(value.denom())))
         }
     }
 }
@@ -322,8 +325,12 @@ impl TryFrom<f64> for ExactNumber {
 
     /// The double itself: 0.1 is not one tenth. What is not finite is refused.
     fn try_from(value: f64) -> Result<Self, Self::Error> {
-        let exact = BigRational::from_float(value).map(Self::rational);
-        exact.ok_or_else(|| ParseExactError::Syntax(value.to_string()))
+        if !value.is_finite() {
+            return Err(ParseExactError::Syntax(value.to_string()));
+        }
+        let (mantissa, power, sign) = value.integer_decode();
+        let whole = BigInt::from(mantissa) * sign << power.max(0);
+        Ok(Self::rational(over_twos(whole, power.min(0).unsigned_abs().into())))
     }
 }
 
@@ -451,7 +458,11 @@ impl ExactNumber {
             if denominator.sign() == Sign::NoSign {
                 return Err(ParseExactError::DivisionByZero(shown()));
             }
-            factor = reduced(factor, denominator);
+            let twos = denominator.trailing_zeros().unwrap_or(0);
+            factor = match factor.is_integer() && denominator == BigInt::from(1) << twos {
+                true => over_twos(factor.to_integer(), twos),
+                false => factor / denominator,
+            };
         }
         // A division can leave the range too: 1e-1000/1000….
         let (above, below) = (factor.numer().bits(), factor.denom().bits());
@@ -459,19 +470,6 @@ impl ExactNumber {
             return Err(ParseExactError::Range(shown()));
         }
         Ok(Self { factor, form, text: text.to_owned() })
-    }
-}
-
-/// A quotient in lowest terms. A double is a whole number over a power of two, of which no common divisor is sought:
-/// that takes longer than all else of its text.
-fn reduced(above: BigRational, below: BigInt) -> BigRational {
-    let twos = below.trailing_zeros().filter(|twos| BigInt::from(1) << *twos == below);
-    match (twos, above.numer().trailing_zeros()) {
-        (Some(twos), Some(of_above)) if above.is_integer() => {
-            let common = twos.min(of_above);
-            BigRational::new_raw(above.to_integer() >> common, below >> common)
-        }
-        _ => above / below,
     }
 }
 

@@ -64,8 +64,14 @@ pub fn hexadecimal(text: &str) -> Option<BigRational> {
     let integer = BigInt::parse_bytes(digits.as_bytes(), 16)?;
     let (integer, power) =
         (if is_negative { -integer } else { integer }, power - 4 * part.len() as i32);
-    let scale = BigInt::from(1) << power.unsigned_abs();
-    Some(if power < 0 { BigRational::new(integer, scale) } else { (integer * scale).into() })
+    Some(over_twos(integer << power.max(0), power.min(0).unsigned_abs().into()))
+}
+
+/// `above/2^twos` in lowest terms, as every double is. Its twos are counted: to seek a common divisor takes longer than
+/// all else of a double.
+pub(super) fn over_twos(above: BigInt, twos: u64) -> BigRational {
+    let common = above.trailing_zeros().map_or(twos, |of_above| of_above.min(twos));
+    BigRational::new_raw(above >> common, BigInt::from(1) << (twos - common))
 }
 
 /// A number with the exponent of Fortran's double precision, with the usual one.

@@ -31,10 +31,10 @@ struct Allowed {
 }
 
 impl ArchAxis {
-    /// Numbers that the texts say, each by itself.
-    pub(super) fn parts(self, table: &mut TableReader) -> Option<Vec<ArchGiven>> {
-        let part = |text: String| ArchGiven::part(&ArchAsked::of([(self.field, text.as_str())]));
-        self.texts.map(|text| table.fitting(part(text))).collect()
+    /// Numbers that the texts say, each by itself, `None` where one is wrong; a grid has too many to tell all that are.
+    pub(super) fn parts(self, table: &mut TableReader) -> impl Iterator<Item = Option<ArchGiven>> {
+        let part = move |text: String| ArchAsked::of([(self.field, text.as_str())]);
+        self.texts.map(move |text| table.fitting(ArchGiven::part(&part(text))))
     }
 }
 

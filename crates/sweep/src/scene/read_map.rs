@@ -124,14 +124,15 @@ fn key(option: &str) -> String {
 
 /// The levels that a table names.
 fn contours(table: &mut TableReader) -> Option<Vec<Contour>> {
-    let mut found = Vec::new();
+    let (before, mut found) = (table.reader.faults.len(), Vec::new());
     for axis in axes::axes(table, None, false)? {
         if axis.count > MAX_ITEMS {
             let message =
                 format!("a map has at most {MAX_ITEMS} lines of one {}", axis.field.name());
-            return table.fitting(Err(Misfit { field: Some(axis.field), message }));
+            table.fitting::<()>(Err(Misfit { field: Some(axis.field), message }));
+            continue;
         }
-        for of in axis.parts(table)? {
+        for of in axis.parts(table).flatten() {
             found.extend(of.half_opening.map(Contour::HalfOpening));
             found.extend(of.thickness.map(Contour::Thickness));
             found.extend(of.friction.map(Contour::Friction));
@@ -139,7 +140,7 @@ fn contours(table: &mut TableReader) -> Option<Vec<Contour>> {
     }
     // In the order in which the command has them.
     found.sort_by_key(|of| matches!(of, Contour::Friction(_)));
-    Some(found)
+    table.is_well_since(before).then_some(found)
 }
 
 /// The largest half-width of a tube.

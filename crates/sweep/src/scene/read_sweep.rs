@@ -84,7 +84,8 @@ fn grid(table: &mut TableReader) -> Option<SweepArches> {
     table.reader.unknown_keys(table.table, "[grid]", &keys);
     let (mut half_openings, mut frictions) = (Vec::new(), Vec::new());
     for axis in axes(table, Some(&ArchQuestion::ANY), false)? {
-        for ArchGiven { half_opening, friction, .. } in axis.parts(table)? {
+        for part in axis.parts(table) {
+            let ArchGiven { half_opening, friction, .. } = part?;
             half_openings.extend(half_opening);
             frictions.extend(friction);
         }

@@ -3,7 +3,7 @@
 use super::schema::ItemKind;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{Field, Misfit, notes};
+use crate::ask::{Field, Misfit, notes, quoted};
 use crate::certify::MAX_DIGITS;
 use crate::problem::{Friction, Landmark, Quantity};
 use std::hash::Hash;
@@ -157,13 +157,5 @@ impl<'a, 's> TableReader<'a, 's> {
     /// Tells whether nothing was wrong since there were so many faults.
     pub(super) fn is_well_since(&self, faults: usize) -> bool {
         self.reader.faults.len() == faults
-    }
-}
-
-/// Word of a command line.
-fn quoted(text: &str) -> String {
-    match text.contains(|c: char| c.is_whitespace() || "()'".contains(c)) {
-        true => format!("'{}'", text.replace('\'', "'\\''")),
-        false => text.to_owned(),
     }
 }

@@ -11,8 +11,13 @@ fn quotient(numerator: i32, denominator: i32) -> BigRational {
 
 #[test]
 fn a_double_is_the_number_that_it_is() {
-    for x in [0.1, -2.5, 0.0, f64::from_bits(1), 1e300] {
+    for x in [0.1, -2.5, 0.0, -0.0, f64::from_bits(1), -f64::MIN_POSITIVE, 1e300, f64::MAX] {
         let exact = ExactNumber::try_from(x).unwrap();
+        let expected = BigRational::from_float(x).unwrap();
+        assert_eq!(
+            [exact.factor().numer(), exact.factor().denom()],
+            [expected.numer(), expected.denom()]
+        );
         assert_eq!(exact.nearest_double(), Some(x));
         assert_eq!(exact.to_rational(), rug::Rational::from_f64(x).unwrap());
         assert_eq!(exact, ExactNumber::from(rug::Rational::from_f64(x).unwrap()));
