@@ -5,10 +5,12 @@
         reference metadata bench limits peers proofs witness arb verified verified-test m4 coq ocaml trial aarch64
 
 # Everything at once, chosen in the same words by every command, so that nothing is compiled twice. Not `--all-features`:
-# `system-gmp` takes GMP and MPFR from the system, which may have them too old. `TESTED=--release`, and what else is built with the
-# command in TOGETHER, when both shall have the same crates (.ci/run).
-ALL := $(TESTED) --workspace --features proptest
-COMMAND := target/release/couplet
+# `system-gmp` takes GMP and MPFR from the system, which may have them too old.
+ALL := --workspace --features proptest
+# The command and its libraries are in a profile of cargo; in that of tests, `dev`, and with what is built beside the command in
+# TOGETHER, all are of the same crates (.ci/run).
+COUPLET_PROFILE ?= release
+COMMAND := target/$(COUPLET_PROFILE:dev=debug)/couplet
 CERTIFICATES := proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json proofs/surveys/*.json
 # What was skipped because a program is missing: the last lines of `make test` and `make c`.
 SKIPPED := $(CURDIR)/target/skipped
@@ -47,7 +49,7 @@ build: m4
 	@[ -e $(COMMAND) ] || echo 'couplet: the first build compiles GMP, MPFR and about 150 crates; it takes some minutes'
 	@$(MAKE) --no-print-directory release
 release:
-	cargo build --release --locked --package couplet $(TOGETHER)
+	cargo build --profile $(COUPLET_PROFILE) --locked --package couplet $(TOGETHER)
 # The program that was built, by what is stored: its certificates, its constants and states, the examples of the pages.
 check: build
 	@tests/check.sh $(COMMAND)
@@ -115,7 +117,7 @@ checker:
 	@echo "$$(grep -c ': accepted' target/checker/said) certificates accepted"
 examples: m4
 	cargo build --locked --quiet $(ALL) --examples
-	for name in constant state identity own_solver; do $(if $(TESTED),target/release,target/debug)/examples/$$name || exit 1; done
+	for name in constant state identity own_solver; do target/debug/examples/$$name || exit 1; done
 # The exported constants read back bit for bit by every language they are written for: here those that `make test` does not find are
 # installed (but for Julia, which has no package).
 exporters: m4

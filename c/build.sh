@@ -14,7 +14,7 @@ number=0
 profile=${COUPLET_PROFILE:-release}
 # A fault in the library is a status of its caller and does not end it.
 export CARGO_PROFILE_RELEASE_PANIC=unwind
-made=${CARGO_TARGET_DIR:-target}/$profile
+made=${CARGO_TARGET_DIR:-target}/${profile/#dev/debug}
 cargo=cargo
 linker=(${CC:-cc})
 # What unwinds the stack is gcc's part of every system, or zig's and in the library.
