@@ -53,8 +53,7 @@ release:
 # The program that was built, by what is stored: its certificates, its constants and states, the examples of the pages.
 check: build
 	@tests/check.sh $(COMMAND)
-# Not the profile of `make`: overflows and the code's own assertions are looked at in tests, and the program that is handed on is
-# optimised across all crates, which takes as long as all else.
+# Not the profile of `make`: tests look at overflows and at the code's own assertions.
 test: m4
 	@mkdir -p target && : > $(SKIPPED)
 	COUPLET_SKIPPED=$(SKIPPED) cargo test --locked $(ALL)

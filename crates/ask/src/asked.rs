@@ -144,9 +144,8 @@ impl ArchAsked {
 
     /// Options of the command that ask the same.
     pub fn options(&self) -> String {
-        let said = |field: Field| Some((Spelling::Option.of(field), self.get(field)?));
-        let options = Field::ALL.iter().copied().filter_map(said);
-        options.map(|(name, text)| format!(" {name} {}", quoted(text))).collect()
+        let said = |of| Some(format!(" {} {}", Spelling::Option.of(of), quoted(self.get(of)?)));
+        Field::ALL.iter().copied().filter_map(said).collect()
     }
 
     /// Fields that are given.

@@ -13,7 +13,6 @@ use super::{
 };
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
-use num_traits::float::FloatCore as _;
 use std::fmt;
 use std::hash::{Hash, Hasher};
 use std::str::FromStr;
@@ -328,8 +327,8 @@ impl TryFrom<f64> for ExactNumber {
         if !value.is_finite() {
             return Err(ParseExactError::Syntax(value.to_string()));
         }
-        let (mantissa, power, sign) = value.integer_decode();
-        let whole = BigInt::from(mantissa) * sign << power.max(0);
+        let (mantissa, power, sign) = num_traits::float::FloatCore::integer_decode(value);
+        let whole = (BigInt::from(mantissa) * sign) << power.max(0);
         Ok(Self::rational(over_twos(whole, power.min(0).unsigned_abs().into())))
     }
 }
