@@ -6,9 +6,10 @@ use super::range::Range;
 use crate::number::{is_range, shown};
 use std::str::FromStr;
 
-/// Text as a word of a command line.
+/// Text as a word of a command line, in quotes where a shell would read it otherwise.
 pub fn quoted(text: &str) -> String {
-    match text.chars().all(|c| c.is_alphanumeric() || "./+-,_:=°±".contains(c)) {
+    let is_plain = |c: char| c.is_alphanumeric() || "./+-,_:=°±".contains(c);
+    match !text.is_empty() && text.chars().all(is_plain) {
         true => text.to_owned(),
         false => format!("'{}'", text.replace('\'', "'\\''")),
     }
@@ -243,6 +244,13 @@ mod tests {
             assert!(misfit.message.contains(why), "{misfit}");
         }
         assert_eq!(ArchAsked::parse("").unwrap(), ArchAsked::default());
+    }
+
+    #[test]
+    fn a_word_is_quoted_where_a_shell_would_read_it_otherwise() {
+        let cases =
+            [("10m±2cm", "10m±2cm"), ("", "''"), ("[s,r,r]", "'[s,r,r]'"), ("6'", r"'6'\'''")];
+        cases.map(|(text, word)| assert_eq!(quoted(text), word));
     }
 
     #[test]
