@@ -312,11 +312,12 @@ Qed.
 (** ** Along a way *)
 
 (** Where each arch that stands is followed by some that stand, all do. *)
-Theorem goes_on_standing (delta mu : R) (alpha eta : R -> R) : 0 <= delta <= 1 -> 0 < mu -> (forall t, 0 <= t <= 1 ->
-    (0 < alpha t <= PI /\ continuity_pt alpha t) /\ 0 < eta t <= 2 /\ continuity_pt eta t) ->
-  arch_stands delta (alpha 0) (eta 0) mu -> (forall t, 0 <= t < 1 -> arch_stands delta (alpha t) (eta t) mu ->
-    exists u, t < u /\ forall s, t < s < u -> arch_stands delta (alpha s) (eta s) mu) -> forall t, 0 <= t <= 1 ->
-  arch_stands delta (alpha t) (eta t) mu.
+Theorem goes_on_standing (delta mu : R) (alpha eta : R -> R) : 0 <= delta <= 1 -> 0 < mu ->
+  (forall t, 0 <= t <= 1 -> (0 < alpha t <= PI /\ continuity_pt alpha t) /\ 0 < eta t <= 2 /\ continuity_pt eta t) ->
+  arch_stands delta (alpha 0) (eta 0) mu ->
+  (forall t, 0 <= t < 1 -> arch_stands delta (alpha t) (eta t) mu ->
+     exists u, t < u /\ forall s, t < s < u -> arch_stands delta (alpha s) (eta s) mu) ->
+  forall t, 0 <= t <= 1 -> arch_stands delta (alpha t) (eta t) mu.
 Proof.
   intros Hd Hmu Hway Hfirst Hnext t Ht. set (stands := fun s => arch_stands delta (alpha s) (eta s) mu).
   destruct (completeness (fun y => 0 <= y <= t /\ forall s, 0 <= s <= y -> stands s)) as (T & Hup & Hleast).

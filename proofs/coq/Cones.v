@@ -74,10 +74,11 @@ Qed.
 
 (** Either all forms are positive at one point of a part of the space that has the lines through its points, or a sum of
     them with factors that are not negative, and not all zero, is there a constant that is not positive. *)
-Theorem strict_point_or_multipliers (forms : list (V -> R)) : (forall f, In f forms -> affine f) -> forall inside :
-  V -> Prop, (exists x, inside x) -> holds_lines inside -> (exists x, inside x /\ forall f, In f forms -> 0 < f x) \/
-  (exists k c, (forall i, 0 <= k i) /\ 0 < sum k (length forms) /\ c <= 0 /\ forall x, inside x ->
-    weighted k forms x = c).
+Theorem strict_point_or_multipliers (forms : list (V -> R)) : (forall f, In f forms -> affine f) ->
+  forall inside : V -> Prop, (exists x, inside x) -> holds_lines inside ->
+  (exists x, inside x /\ forall f, In f forms -> 0 < f x) \/
+  (exists k c, (forall i, 0 <= k i) /\ 0 < sum k (length forms) /\ c <= 0 /\
+     forall x, inside x -> weighted k forms x = c).
 Proof.
   induction forms as [| f forms IH]; intros H inside [o Ho] Hlines; [left; now exists o |].
   assert (Hf := H f (or_introl eq_refl)). assert (Hforms := fun g Hg => H g (or_intror Hg)). specialize (IH Hforms).

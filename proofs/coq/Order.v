@@ -27,8 +27,9 @@ Proof.
   apply (Rmult_eq_reg_r (sin beta)); [|lra]. unfold cot. unfold D in HD. rewrite Rmult_0_l, <- HD. field. lra.
 Qed.
 
-Lemma haunch_at_crown (delta alpha eta h p : R) : 0 < alpha < PI -> 0 < eta <= 2 -> (forall x, 0 <= x <= alpha ->
-    0 <= haunch_gap delta x eta h p) -> haunch_gap delta 0 eta h p = 0 -> 0 <= intrados eta * (h - 2) + fac delta eta.
+Lemma haunch_at_crown (delta alpha eta h p : R) : 0 < alpha < PI -> 0 < eta <= 2 ->
+  (forall x, 0 <= x <= alpha -> 0 <= haunch_gap delta x eta h p) -> haunch_gap delta 0 eta h p = 0 ->
+  0 <= intrados eta * (h - 2) + fac delta eta.
 Proof.
   intros Ha He Hall E. apply Rnot_lt_le. intros Hneg. assert (Hp : p = intrados eta * h).
   { unfold haunch_gap, normal_force in E. rewrite cos_0, sin_0 in E. lra. }
@@ -147,9 +148,7 @@ Proof.
       ((h2 + normal_force beta h2) / 2 + delta * (eta1 + eta2) / 12 * (1 - cos beta)))
       by (unfold room, extrados, intrados, fac; field).
     assert (0 < (h2 + normal_force beta h2) / 2 + delta * (eta1 + eta2) / 12 * (1 - cos beta)).
-    { assert (0 <= delta * (eta1 + eta2) / 12 * (1 - cos beta)).
-      { apply Rmult_le_pos; [|lra]. apply Rdiv_le_0_compat; [|lra]. positive. }
-      lra. }
+    { assert (0 <= delta * (eta1 + eta2) / 12 * (1 - cos beta)) by positive. lra. }
     assert (Hlinear : room eta1 h1 - room eta1 h2 = (h1 - h2) * (extrados eta1 - intrados eta1 * cos beta))
       by (unfold room, normal_force; ring). assert (0 < extrados eta1 - intrados eta1 * cos beta).
     { unfold extrados, intrados. destruct (COS_bound beta). nra. }

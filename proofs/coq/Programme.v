@@ -10,9 +10,10 @@ Import ListNotations.
 Open Scope R_scope.
 
 (** The least of finitely many classes is least of all. *)
-Lemma least_of_classes {X} (v : X -> R) (place : X -> Prop) o (Ho : place o) tests : forall P : X ->
-  Prop, (forall x, place x -> P x -> exists y, place y /\ forall z, place z -> P z -> (forall t, In t tests ->
-    (t z <-> t x)) -> v y <= v z) -> exists y, place y /\ forall z, place z -> P z -> v y <= v z.
+Lemma least_of_classes {X} (v : X -> R) (place : X -> Prop) o (Ho : place o) tests : forall P : X -> Prop,
+  (forall x, place x -> P x -> exists y, place y /\
+     forall z, place z -> P z -> (forall t, In t tests -> (t z <-> t x)) -> v y <= v z) ->
+  exists y, place y /\ forall z, place z -> P z -> v y <= v z.
 Proof.
   induction tests as [| t tests IH]; intros P H.
   - destruct (classic (exists x, place x /\ P x)) as [(x & Hx & HP) | Hnone].

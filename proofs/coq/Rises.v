@@ -285,8 +285,9 @@ Qed.
 
 (** What is left wherever it is reached is not passed: a number that falls where it is zero and is not negative at the
     end is not at the beginning. *)
-Lemma left_where_reached (f f' : R -> R) (a b : R) : a <= b -> (forall x, a <= x <= b ->
-    derivable_pt_lim f x (f' x)) -> 0 <= f b -> (forall x, a <= x <= b -> f x = 0 -> f' x < 0) -> 0 <= f a.
+Lemma left_where_reached (f f' : R -> R) (a b : R) : a <= b ->
+  (forall x, a <= x <= b -> derivable_pt_lim f x (f' x)) -> 0 <= f b ->
+  (forall x, a <= x <= b -> f x = 0 -> f' x < 0) -> 0 <= f a.
 Proof.
   intros Hab Hd Hb Hfalls. assert (Hlimit : forall g x, continuity_pt g x ->
     (forall d, 0 < d -> exists y, Rabs (y - x) < d /\ 0 <= g y) -> 0 <= g x).

@@ -244,8 +244,9 @@ Proof.
 Qed.
 
 (** What a multiplier of the friction at a joint is as a rate. *)
-Lemma rate_of_slip (x row k : R) : 0 < x < PI -> 0 < normal_force x h -> 0 <= k -> (k = 0 \/
-    normal_force x h * row = x) -> exists s, 0 <= s /\ s * sin x = k * row /\ (k = 0 -> s = 0) /\ (0 < k -> 0 < s).
+Lemma rate_of_slip (x row k : R) : 0 < x < PI -> 0 < normal_force x h -> 0 <= k ->
+  (k = 0 \/ normal_force x h * row = x) ->
+  exists s, 0 <= s /\ s * sin x = k * row /\ (k = 0 -> s = 0) /\ (0 < k -> 0 < s).
 Proof.
   intros Hx HN Hk Hrow. assert (HS : 0 < sin x) by positive. exists (k * (x / (normal_force x h * sin x))).
   assert (Hscale : 0 < x / (normal_force x h * sin x)) by positive. repeat split.
