@@ -250,7 +250,9 @@ mod tests {
     fn a_word_is_quoted_where_a_shell_would_read_it_otherwise() {
         let cases =
             [("10m±2cm", "10m±2cm"), ("", "''"), ("[s,r,r]", "'[s,r,r]'"), ("6'", r"'6'\'''")];
-        cases.map(|(text, word)| assert_eq!(quoted(text), word));
+        for (text, word) in cases {
+            assert_eq!(quoted(text), word);
+        }
     }
 
     #[test]
