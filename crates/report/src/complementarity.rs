@@ -9,7 +9,7 @@ use super::tabular::Tabular;
 use super::understood::Understood;
 use super::words::{kind, padded};
 use crate::certify::state::{Answer, Digits, Figure};
-use crate::certify::{AsymmetricDigits, AsymmetricJoint, Undecided};
+use crate::certify::{AsymmetricDigits, AsymmetricJoint, AsymmetricSolutions, Undecided};
 use crate::problem::{Arch, Extent};
 use couplet_stones::Enumeration;
 
@@ -31,8 +31,8 @@ pub enum SolutionsFound {
     Continuous {
         /// Symmetric state of the arch, or why nothing stands.
         symmetric: Result<Answer, Undecided>,
-        /// The asymmetric solutions, or why one that is found is not proved.
-        asymmetric: Vec<Result<AsymmetricDigits, Undecided>>,
+        /// The asymmetric solutions.
+        asymmetric: AsymmetricSolutions,
     },
     /// All solutions between equal stones.
     Stones {
@@ -47,16 +47,23 @@ pub enum SolutionsFound {
     Programme(AtThickness),
 }
 
-/// Description of the search for solutions, and what is not proved.
-const SEARCH: [&str; 7] = [
+/// Description of how many solutions there are.
+const NUMBER: [&str; 4] = [
     "Among symmetric states there is at most one such thickness (couplet prove unique-thickness),",
     "except at the friction of pure sliding. Asymmetric states have mechanisms of three kinds, in arches",
     "of more than 90 degrees only: at the most one with Milankovitch's weight, and two with Heyman's",
-    "(couplet prove asymmetric-number). They are sought along those with a sliding shoulder, from the",
-    "symmetric one to larger vertical forces in the crown. What the search finds is proved;",
-    "where it finds fewer, that there are no more is not. With unlimited friction nothing slides, and",
-    "none is sought.",
+    "(couplet prove asymmetric-number).",
 ];
+/// Conclusion where as many asymmetric solutions are found as the arch can have.
+const ARE_ALL: [&str; 1] = ["By these claims this arch has no other solution: that is proved."];
+/// Conclusion where fewer are found.
+const MAY_BE_OTHERS: [&str; 3] = [
+    "They are sought along those with a sliding shoulder, from the symmetric one to larger vertical",
+    "forces in the crown. What the search finds is proved; this arch may have more by these claims, and",
+    "that it has none is not proved.",
+];
+/// Conclusion where nothing slides.
+const NOTHING_SLIDES: [&str; 1] = ["With unlimited friction nothing slides, and none is sought."];
 
 /// Meaning of an asymmetric solution.
 const MEANING: [&str; 6] = [
@@ -91,7 +98,8 @@ impl ComplementarityArch {
     pub fn first_open(&self) -> Option<Undecided> {
         match &self.found {
             SolutionsFound::Continuous { symmetric, asymmetric } => {
-                let asymmetric = asymmetric.iter().find_map(|solution| solution.as_ref().err());
+                let asymmetric =
+                    asymmetric.found.iter().find_map(|solution| solution.as_ref().err());
                 symmetric.as_ref().err().or(asymmetric).cloned()
             }
             SolutionsFound::Stones { all: Ok(all), .. } => all.first_open(),
@@ -109,7 +117,7 @@ impl ComplementarityArch {
             Ok(Answer::Stands(state)) => Some(Solution::symmetric(state)),
             _ => None,
         };
-        let proved = asymmetric.iter().filter_map(|solution| solution.as_ref().ok());
+        let proved = asymmetric.found.iter().filter_map(|solution| solution.as_ref().ok());
         let mut all: Vec<Solution<'_>> =
             symmetric.into_iter().chain(proved.map(Solution::asymmetric)).collect();
         all.sort_by(|a, b| a.thickness.double.total_cmp(&b.thickness.double));
@@ -120,7 +128,7 @@ impl ComplementarityArch {
     fn continuous(
         &self,
         symmetric: &Result<Answer, Undecided>,
-        asymmetric: &[Result<AsymmetricDigits, Undecided>],
+        asymmetric: &AsymmetricSolutions,
         record: &mut Record,
     ) {
         let fall = match symmetric {
@@ -136,17 +144,30 @@ impl ComplementarityArch {
         record.say_all(fall.map(|reason| format!("no thickness is enough: {reason}")));
         let undecided = symmetric.as_ref().err();
         record.say_all(undecided.map(|undecided| format!("the symmetric state is {undecided}")));
-        let undecided = asymmetric.iter().filter_map(|solution| solution.as_ref().err());
+        let undecided = asymmetric.found.iter().filter_map(|solution| solution.as_ref().err());
         record.say_all(undecided.map(|of| format!("an asymmetric solution that is found is {of}")));
         record.add_list("solutions", solutions.iter().map(solved));
         record.say("");
-        if asymmetric.is_empty() {
-            record.say_all(["no asymmetric solution is found", ""]);
-        } else if asymmetric.iter().any(Result::is_ok) {
+        let are_all = symmetric.is_ok() && asymmetric.are_all;
+        if asymmetric.found.is_empty() {
+            let words = if are_all {
+                "there is no asymmetric solution"
+            } else {
+                "no asymmetric solution is found"
+            };
+            record.say_all([words, ""]);
+        } else if asymmetric.found.iter().any(Result::is_ok) {
             record.say_all(PROOF.into_iter().chain(MEANING));
         }
-        record.say_all(SEARCH);
-        record.add("search", SEARCH.join(" "));
+        let conclusion = match (are_all, self.arch.is_limited()) {
+            (true, _) => &ARE_ALL[..],
+            (false, true) => &MAY_BE_OTHERS,
+            (false, false) => &NOTHING_SLIDES,
+        };
+        let search = [&NUMBER[..], conclusion].concat();
+        record.say_all(search.iter().copied());
+        record.add("search", search.join(" "));
+        record.add("complete", are_all);
     }
 }
 

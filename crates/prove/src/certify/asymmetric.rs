@@ -12,23 +12,36 @@
 //!    Eq. (19) holds: `phi <= 0`, `lambda >= 0`, `phi^T lambda = 0`, and compatibility without dilatancy.
 //! 4. The power of the weight is that of friction, block by block: not needed, but another route to the same.
 //!
-//! The mirror image is a solution at the same thickness. With Milankovitch's weight an arch has one at the most,
-//! with Heyman's two (the claim `asymmetric-number`). **What is found is proved; that the search finds all is
-//! not.**
+//! The mirror image is a solution at the same thickness. A search that finds nothing proves nothing: that there are no
+//! others is said where as many are proved as an arch can have at the [most](most_asymmetric).
 
+use super::state::{Certify, Outcome, State};
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode, Place};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::{Side, WholeMotion};
-use crate::arch::{Configuration, Ring};
+use crate::arch::{Configuration, Ring, SelfWeight};
 use crate::check::whole;
-use crate::number::{Ball, DoubleBall, DoubleDoubleBall, Engine, ExactNumber, bits_of};
-use crate::problem::{Arch, Problem};
+use crate::number::{
+    Angle, Ball, DoubleBall, DoubleDoubleBall, Enclosure, Engine, ExactNumber, Ternary, bits_of,
+};
+use crate::problem::asymmetric_region::may_move_asymmetrically;
+use crate::problem::{Arch, Mode, Problem};
 use crate::prover::decide::{ensure, in_few_bits};
 use crate::prover::posed::Posed;
 use crate::prover::{Figure, Refused, Undecided, raise};
 use crate::solve::asymmetric::{AsymmetricCandidate, asymmetric as candidates};
 use rug::Float;
+
+/// Asymmetric solutions of an arch.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct AsymmetricSolutions {
+    /// Solutions that are found, each proved, or the reason why it is not.
+    pub found: Vec<Result<AsymmetricDigits, Undecided>>,
+    /// Proof that there are no others.
+    pub are_all: bool,
+}
 
 /// An asymmetric solution with its digits, correctly rounded.
 #[derive(Clone, Debug)]
@@ -85,15 +98,50 @@ const GUARD: u32 = 64;
 /// Bits of what a search in doubles is given.
 const SEARCH_BITS: u32 = 64;
 
-/// The asymmetric solutions that the search finds for an arch, each proved, to `digits` significant digits; or why
-/// one is not. With unlimited friction there are none to find. Digits beyond
-/// [`MAX_DIGITS`](super::MAX_DIGITS) are refused.
-pub fn asymmetric(
-    arch: &Arch,
-    digits: usize,
-) -> Result<Vec<Result<AsymmetricDigits, Undecided>>, Refused> {
+/// The asymmetric solutions that the search finds for an arch, to `digits` significant digits. With unlimited friction
+/// none is sought. Digits beyond [`MAX_DIGITS`](super::MAX_DIGITS) are refused.
+pub fn asymmetric(arch: &Arch, digits: usize) -> Result<AsymmetricSolutions, Refused> {
     Refused::digits(digits)?;
-    Ok(found(arch).iter().map(|candidate| certified(arch, candidate, digits)).collect())
+    let found = found(arch).into_iter().map(|candidate| certified(arch, &candidate, digits));
+    let found: Vec<Result<AsymmetricDigits, Undecided>> = found.collect();
+    let are_all = found.iter().all(Result::is_ok) && most_asymmetric(arch) == Some(found.len());
+    Ok(AsymmetricSolutions { found, are_all })
+}
+
+/// The most asymmetric solutions that an arch can have, by the claim `asymmetric-number`: none outside the
+/// [table](crate::problem::asymmetric_region); inside it one where the state at the least thickness is `[s,r,r]` and
+/// has room to move, and elsewhere none with Milankovitch's weight, two with Heyman's. `None` with unlimited friction,
+/// of which the claim says nothing.
+pub fn most_asymmetric(arch: &Arch) -> Option<usize> {
+    if !arch.is_limited() {
+        return None;
+    }
+    if !may_move_asymmetrically(arch) {
+        return Some(0);
+    }
+    let moves = match arch.state_alone(SEARCH_BITS) {
+        // Where no symmetric state is admissible nothing is.
+        Ok(Outcome::Falls(_)) => return Some(0),
+        Ok(Outcome::Stands(state)) if state.mode != Mode::SlidingRotational => Ternary::False,
+        Ok(Outcome::Stands(state)) => has_room_to_move(arch, &state),
+        Err(_) => Ternary::Undecided,
+    };
+    Some(match (arch.weight(), moves) {
+        (SelfWeight::Heyman, Ternary::True) => 1,
+        (SelfWeight::Heyman, _) => 2,
+        (SelfWeight::Milankovitch, Ternary::False) => 0,
+        (SelfWeight::Milankovitch, _) => 1,
+    })
+}
+
+/// `(1 + eta/2 - (1 - eta/2) cos(beta_r)) |cot(alpha)| > (1 - eta/2) sin(beta_r)` beyond 90°, times `2 sin(alpha)`.
+fn has_room_to_move(arch: &Arch, state: &State) -> Ternary {
+    let half_opening = Angle::new(arch.half_opening().enclosure(SEARCH_BITS));
+    let haunch = Angle::new(state.rotation_joint.clone());
+    let ring = Ring::new(arch.weight(), &state.thickness);
+    let inner = ring.intrados();
+    let above = ring.extrados() - inner.clone() * &haunch.cos;
+    (-(above * &half_opening.cos) - inner * &haunch.sin * &half_opening.sin).is_positive()
 }
 
 /// The solution of a candidate, proved, to `digits` significant digits.
@@ -219,14 +267,14 @@ impl CertifiedAsymmetric {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Angle, Enclosure, Field};
+    use crate::number::Field;
 
     fn arch(weight: &str, alpha: &str, mu: &str) -> Arch {
         Arch::parse(weight, alpha, mu).unwrap()
     }
 
     fn solutions(arch: &Arch) -> Vec<AsymmetricDigits> {
-        asymmetric(arch, 12).unwrap().into_iter().map(|solution| solution.unwrap()).collect()
+        asymmetric(arch, 12).unwrap().found.into_iter().map(|solution| solution.unwrap()).collect()
     }
 
     fn kinds(arch: &Arch) -> Vec<AsymmetricMode> {
@@ -268,6 +316,29 @@ mod tests {
         }
         for (alpha, mu) in [("pi/2", "0.35"), ("pi/2", "inf"), ("2.15", "0.8"), ("2.5", "2")] {
             assert!(kinds(&arch("heyman", alpha, mu)).is_empty(), "{alpha} {mu}");
+        }
+    }
+
+    /// Where as many are found as there can be, there are no others; next to the lines, and without a limit of
+    /// friction, nothing is said.
+    #[test]
+    fn no_others_are_where_as_many_are_found_as_there_can_be() {
+        for (weight, alpha, mu, most, are_all) in [
+            ("milankovitch", "2.3", "1.05", Some(1), true),
+            ("milankovitch", "2.3", "1.2", Some(0), true),
+            ("milankovitch", "pi/2", "0.35", Some(0), true),
+            // In the table, but with a pure state.
+            ("milankovitch", "2.225", "0.938", Some(0), true),
+            ("heyman", "2.3", "1.09", Some(2), true),
+            ("heyman", "2.25", "1.01", Some(1), true),
+            ("heyman", "2.3", "1.05", Some(1), true),
+            ("heyman", "2.31", "1.108", Some(2), false),
+            ("heyman", "2.6", "3", Some(0), true),
+            ("heyman", "2.3", "inf", None, false),
+        ] {
+            let arch = arch(weight, alpha, mu);
+            let told = (most_asymmetric(&arch), asymmetric(&arch, 12).unwrap().are_all);
+            assert_eq!(told, (most, are_all), "{weight} {alpha} {mu}");
         }
     }
 

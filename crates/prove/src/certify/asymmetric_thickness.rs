@@ -12,9 +12,8 @@ use crate::prover::{Refused, in_doubles};
 use crate::solve::asymmetric::AsymmetricCandidate;
 
 /// The thicknesses of the asymmetric solutions that are found and proved for an arch, the largest first, to
-/// `digits` significant digits. With Milankovitch's weight there is one at the most, with Heyman's there are two;
-/// **that all are found is not proved.** Nothing is computed outside the
-/// [table](crate::problem::asymmetric_region) that holds them all.
+/// `digits` significant digits; [`most_asymmetric`](super::most_asymmetric) says how many there can be. Nothing is
+/// computed outside the [table](crate::problem::asymmetric_region) that holds them all.
 /// Digits beyond [`MAX_DIGITS`](super::MAX_DIGITS) are refused.
 pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Result<Vec<Figure>, Refused> {
     Refused::digits(digits)?;
@@ -67,6 +66,7 @@ mod tests {
             let arch = arch(weight, alpha, mu);
             let mut expected: Vec<String> = asymmetric(&arch, 17)
                 .unwrap()
+                .found
                 .into_iter()
                 .map(|solution| solution.unwrap().thickness.to_string())
                 .collect();

@@ -33,7 +33,10 @@ mod serial;
 pub mod state;
 mod verdict;
 
-pub use asymmetric::{AsymmetricDigits, AsymmetricJoint, CertifiedAsymmetric, asymmetric};
+pub use asymmetric::{
+    AsymmetricDigits, AsymmetricJoint, AsymmetricSolutions, CertifiedAsymmetric, asymmetric,
+    most_asymmetric,
+};
 pub use asymmetric_certificate::{asymmetric_kinds, certify_asymmetric};
 pub use asymmetric_thickness::asymmetric_thicknesses;
 pub use certificate::certify_landmark;
