@@ -1,7 +1,8 @@
-//! Tells the program which commit it is built from, where that is known, for `couplet --version`.
+//! Tells the program which commit it is built from, where that is known, for `couplet --version`; and leaves out what a program
+//! does not need that ends at a panic.
 
-use std::fs;
 use std::process::Command;
+use std::{env, fs};
 
 /// What the program is built from.
 const SOURCES: [&str; 5] = ["build.rs", "Cargo.toml", "Cargo.lock", "src", "crates"];
@@ -12,6 +13,23 @@ fn main() {
     }
     let commit = packaged().or_else(checked_out).unwrap_or("unknown".to_owned());
     println!("cargo:rustc-env=COUPLET_COMMIT={commit}");
+    if env::var("CARGO_ENCODED_RUSTFLAGS").is_ok_and(|flags| flags.contains(NO_TABLES)) {
+        leave_out_tables();
+    }
+}
+
+/// The option of a build without tables of unwinding (Makefile).
+const NO_TABLES: &str = "force-unwind-tables=no";
+
+/// Leaves out the tables that the compiler makes all the same, for whatever might have to be dropped: a fifteenth of the
+/// program. Linkers that are chosen by name may not know how.
+fn leave_out_tables() {
+    let (Ok(folder), Err(_)) = (env::var("OUT_DIR"), env::var("RUSTC_LINKER")) else { return };
+    let script = format!("{folder}/no_tables.ld");
+    let discarded = "SECTIONS { /DISCARD/ : { *(.eh_frame) } } INSERT AFTER .text;";
+    if fs::write(&script, discarded).is_ok() {
+        println!("cargo:rustc-link-arg-bins=-Wl,--no-eh-frame-hdr,-T,{script}");
+    }
 }
 
 /// The commit of a package: cargo writes it down.

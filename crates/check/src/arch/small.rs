@@ -92,7 +92,12 @@ impl<T: Stumpff> Scaled<T> {
 impl<T> Scaled<T> {
     /// Maps the variables to another number.
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Scaled<U> {
-        let all = |functions: Vec<T>| functions.into_iter().map(&f).collect();
+        self.mapped(&f)
+    }
+
+    /// Maps by any function, as a copy for each would be as long as this.
+    fn mapped<U>(self, f: &dyn Fn(T) -> U) -> Scaled<U> {
+        let all = |functions: Vec<T>| functions.into_iter().map(f).collect();
         let joint =
             |j: SquaredAngle<T>| SquaredAngle { square: f(j.square), functions: all(j.functions) };
         Scaled {

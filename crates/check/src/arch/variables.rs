@@ -161,6 +161,11 @@ impl<T> Configuration<T> {
 
     /// Maps the variables from references.
     pub fn map_ref<U>(&self, f: impl Fn(&T) -> U) -> Configuration<U> {
+        self.mapped(&f)
+    }
+
+    /// Maps by any function, as a copy for each would be as long as this.
+    fn mapped<U>(&self, f: &dyn Fn(&T) -> U) -> Configuration<U> {
         let angle = |x: &Angle<T>| Angle { rad: f(&x.rad), sin: f(&x.sin), cos: f(&x.cos) };
         Configuration {
             half_opening: angle(&self.half_opening),
