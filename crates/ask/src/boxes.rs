@@ -1,6 +1,7 @@
 //! Parts of a range that touch each other: together they are the range, and each has two exact ends.
 
-use super::range::{Part, Range, RangeError};
+use super::question::Misfit;
+use super::range::{Part, Range, no_number};
 use crate::number::shown;
 use num_bigint::BigInt;
 
@@ -12,7 +13,7 @@ use num_bigint::BigInt;
 /// let texts = boxes(&of, 2).unwrap().map(|part| format!("{}..{}", part.lower, part.upper));
 /// assert_eq!(texts.collect::<Vec<_>>(), ["80deg..80.5deg", "80.5deg..81deg"]);
 /// ```
-pub fn boxes(of: &Range, count: usize) -> Result<impl Iterator<Item = Range> + use<>, RangeError> {
+pub fn boxes(of: &Range, count: usize) -> Result<impl Iterator<Item = Range> + use<>, Misfit> {
     let at = divided(of, count)?;
     Ok((0..count).map(move |k| Range { lower: at(k), upper: at(k + 1) }))
 }
@@ -24,23 +25,26 @@ pub fn boxes(of: &Range, count: usize) -> Result<impl Iterator<Item = Range> + u
 /// let of = Range { lower: "80deg".into(), upper: "81deg".into() };
 /// assert_eq!(steps(&of, 3).unwrap().collect::<Vec<_>>(), ["80deg", "80.5deg", "81deg"]);
 /// ```
-pub fn steps(of: &Range, count: usize) -> Result<impl Iterator<Item = String> + use<>, RangeError> {
+pub fn steps(of: &Range, count: usize) -> Result<impl Iterator<Item = String> + use<>, Misfit> {
     let at = divided(of, count - 1)?;
     Ok((0..count).map(at))
 }
 
 /// Exact text of each point that cuts a range into so many parts, from the lower end on.
-fn divided(of: &Range, parts: usize) -> Result<impl Fn(usize) -> String + use<>, RangeError> {
+fn divided(of: &Range, parts: usize) -> Result<impl Fn(usize) -> String + use<>, Misfit> {
     let range = || shown(&format!("{}..{}", of.lower, of.upper));
-    let read = |part: &str| {
-        let number = || RangeError::Number { range: range(), part: shown(part) };
-        Part::read(part).ok_or_else(number)
-    };
+    let read = |part: &str| Part::read(part).ok_or_else(|| no_number(&range(), part));
     let (lower, upper) = (read(&of.lower)?, read(&of.upper)?);
     let both = Part::together(lower, upper);
-    let (unit, first, last) = both.ok_or_else(|| RangeError::Apart(range()))?;
+    let (unit, first, last) = both.ok_or_else(|| {
+        format!(
+            "'{}' is in two units, or in none that is cut into parts: give both ends as numbers, as lengths, or as \
+             angles in radians, as multiples of pi or in degrees",
+            range()
+        )
+    })?;
     if first >= last {
-        return Err(RangeError::Falls(range()));
+        return Err(format!("'{}' does not rise: give the smaller end first", range()).into());
     }
     Ok(move |k: usize| {
         unit.write(&(&first + (&last - &first) * BigInt::from(k) / BigInt::from(parts)))
@@ -55,7 +59,7 @@ pub(super) fn has_extent(of: &Range) -> bool {
 }
 
 /// Exact text of the middle of a range.
-pub(super) fn middle(of: &Range) -> Result<String, RangeError> {
+pub(super) fn middle(of: &Range) -> Result<String, Misfit> {
     let upper = || of.upper.clone();
     Ok(boxes(of, 2)?.next().map_or_else(upper, |half| half.upper))
 }

@@ -30,7 +30,7 @@ pub use boxes::{boxes, steps};
 pub use given::ArchGiven;
 pub use note::{array_note, notes, tilt_note};
 pub use question::{ArchQuestion, Misfit, Spelling};
-pub use range::{Range, RangeError};
+pub use range::Range;
 pub use stones::{MOST_NUMBERS, StonesAsked};
 pub use survey::SurveyGiven;
 

@@ -9,8 +9,9 @@
 //! Both ends are exact texts, which the readers of one value read: a decimal if it ends, else a fraction; beside `±`
 //! the unit is that of the value, and lengths of two units meet in metres.
 
+use super::question::Misfit;
 use crate::number::{
-    BETWEEN, ExactNumber, Form, PLUS_MINUS, decimal, is_angle, is_range, says, shown, spelt_range,
+    BETWEEN, ExactNumber, Form, PLUS_MINUS, decimal, is_angle, is_range, shown, spelt_range,
 };
 use crate::problem::measures::Length;
 use num_bigint::BigInt;
@@ -25,63 +26,6 @@ pub struct Range {
     pub upper: String,
 }
 
-/// Reason why a text is no range.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum RangeError {
-    /// A part of the text is missing.
-    Missing(String),
-    /// There are more than two parts.
-    Parts(String),
-    /// One end has a unit, the other none.
-    Unit {
-        /// Text of the range.
-        range: String,
-        /// Text with the unit at both ends.
-        meant: String,
-    },
-    /// A value and a deviation whose sum has no exact text.
-    Units {
-        /// Text of the range.
-        range: String,
-        /// Value before the sign.
-        value: String,
-        /// Deviation behind the sign.
-        deviation: String,
-    },
-    /// A part is not a number.
-    Number {
-        /// Text of the range.
-        range: String,
-        /// Text of the part.
-        part: String,
-    },
-    /// The deviation is below zero.
-    Negative(String),
-    /// Two ends between which there are no parts of one extent.
-    Apart(String),
-    /// The lower end is not below the upper one.
-    Falls(String),
-}
-
-says!(RangeError {
-    Self::Missing(range) =>
-        "'{range}' is half a range: give both ends (0.5..0.7), or a value and how far off it may be (0.6±0.1, 0.6±10%)";
-    Self::Parts(range) =>
-        "'{range}' has more parts than a range: two ends (0.5..0.7), or a value and how far off it may be (0.6±0.1)";
-    Self::Unit { range, meant } => "in '{range}' one part has a unit and the other none: write {meant}";
-    Self::Units { range, value, deviation } =>
-        "in '{range}' {value} and {deviation} make no exact sum: give the deviation in the unit of the value, \
-         or in % of it, or give both ends (0.5..0.7)";
-    Self::Number { range, part } =>
-        "in '{range}' the part '{part}' is not a number with or without a unit (0.1, 2cm, 1deg) or, behind ±, of % (5%)";
-    Self::Negative(range) => "'{range}' has a deviation below 0: give its size";
-    Self::Apart(range) =>
-        "'{range}' is in two units, or in none that is cut into parts: give both ends as numbers, as lengths, or as \
-         angles in radians, as multiples of pi or in degrees";
-    Self::Falls(range) => "'{range}' does not rise: give the smaller end first";
-});
-
 impl Range {
     /// Reads the text of a range; nothing if the text is that of one value.
     ///
@@ -91,44 +35,45 @@ impl Range {
     /// assert_eq!((range.lower.as_str(), range.upper.as_str()), ("2.98m", "3.02m"));
     /// assert_eq!(Range::read("3m"), Ok(None));
     /// ```
-    pub fn read(text: &str) -> Result<Option<Self>, RangeError> {
+    pub fn read(text: &str) -> Result<Option<Self>, Misfit> {
         if !is_range(text) {
             return Ok(None);
         }
         let shown = || shown(text.trim());
+        let wrong = |why: &str| Err(format!("'{}' {why}", shown()).into());
+        let more = "has more parts than a range: two ends (0.5..0.7), or a value and how far off it may be (0.6±0.1)";
         let text = spelt_range(text);
         let parts = |sign: &str| text.split(sign).map(str::trim).collect::<Vec<_>>();
         let (ends, about) = (parts(BETWEEN), parts(PLUS_MINUS));
         match (&ends[..], &about[..]) {
             // Three points could be two and a decimal's.
-            _ if text.contains("...") => Err(RangeError::Parts(shown())),
+            _ if text.contains("...") => wrong(more),
             (all, _) | (_, all) if all.len() > 1 && all.iter().any(|part| part.is_empty()) => {
-                Err(RangeError::Missing(shown()))
+                wrong(
+                    "is half a range: give both ends (0.5..0.7), or a value and how far off it may be (0.6±0.1, 0.6±10%)",
+                )
             }
             (&[lower, upper], &[_]) => Self::between(lower, upper, shown),
             (&[_], &[value, deviation]) => Self::about(value, deviation, shown),
-            _ => Err(RangeError::Parts(shown())),
+            _ => wrong(more),
         }
         .map(Some)
     }
 
     /// Range of two ends, which stay as they are written.
-    fn between(lower: &str, upper: &str, shown: impl Fn() -> String) -> Result<Self, RangeError> {
+    fn between(lower: &str, upper: &str, shown: impl Fn() -> String) -> Result<Self, Misfit> {
         let [low, high] = [lower, upper].map(Part::read);
         if let (Some(low), Some(high)) = (low, high)
             && let Some(unit) = low.unit.of_one_only(&high.unit)
         {
-            let meant = [lower, upper].map(|end| with_unit(end, unit)).join(BETWEEN);
-            return Err(RangeError::Unit { range: shown(), meant });
+            return Err(one_unit(&shown(), [lower, upper], unit, BETWEEN));
         }
         Ok(Self { lower: lower.to_owned(), upper: upper.to_owned() })
     }
 
     /// Range of all that is no farther from a value than its deviation.
-    fn about(value: &str, deviation: &str, shown: impl Fn() -> String) -> Result<Self, RangeError> {
-        let number = |part: &str, read: Option<Part>| {
-            read.ok_or_else(|| RangeError::Number { range: shown(), part: self::shown(part) })
-        };
+    fn about(value: &str, deviation: &str, shown: impl Fn() -> String) -> Result<Self, Misfit> {
+        let number = |part: &str, read: Option<Part>| read.ok_or_else(|| no_number(&shown(), part));
         let middle = number(value, Part::read(value))?;
         let percents = deviation.strip_suffix('%').map(|part| plain(part.trim_end()));
         let (unit, middle, off) = match percents {
@@ -143,25 +88,41 @@ impl Range {
             None => {
                 let off = number(deviation, Part::read(deviation))?;
                 if let Some(unit) = middle.unit.of_one_only(&off.unit) {
-                    let meant = [value, deviation].map(|part| with_unit(part, unit));
-                    let meant = meant.join(PLUS_MINUS);
-                    return Err(RangeError::Unit { range: shown(), meant });
+                    return Err(one_unit(&shown(), [value, deviation], unit, PLUS_MINUS));
                 }
-                Part::together(middle, off).ok_or_else(|| RangeError::Units {
-                    range: shown(),
-                    value: self::shown(value),
-                    deviation: self::shown(deviation),
+                Part::together(middle, off).ok_or_else(|| {
+                    let [value, deviation] = [value, deviation].map(self::shown);
+                    format!(
+                        "in '{}' {value} and {deviation} make no exact sum: give the deviation in the unit of the value, \
+                         or in % of it, or give both ends (0.5..0.7)",
+                        shown()
+                    )
                 })?
             }
         };
         match off < BigInt::ZERO.into() {
-            true => Err(RangeError::Negative(shown())),
+            true => Err(format!("'{}' has a deviation below 0: give its size", shown()).into()),
             false => Ok(Self {
                 lower: unit.write(&(&middle - &off)),
                 upper: unit.write(&(middle + off)),
             }),
         }
     }
+}
+
+/// Refusal of a range of which a part is no number.
+pub(super) fn no_number(range: &str, part: &str) -> Misfit {
+    let part = shown(part);
+    format!(
+        "in '{range}' the part '{part}' is not a number with or without a unit (0.1, 2cm, 1deg) or, behind ±, of % (5%)"
+    )
+    .into()
+}
+
+/// Refusal of two parts of which one has a unit and the other none.
+fn one_unit(range: &str, parts: [&str; 2], unit: Unit, sign: &str) -> Misfit {
+    let meant = parts.map(|part| with_unit(part, unit)).join(sign);
+    format!("in '{range}' one part has a unit and the other none: write {meant}").into()
 }
 
 /// A number in a unit.
