@@ -53,8 +53,7 @@ pub(crate) fn table<'py>(
 ) -> PyResult<Answered<'py>> {
     let weight = parse::weight(weight).map_err(CoupletError::new_err)?;
     let columns = Columns::named(&columns, Purpose::Ask).map_err(CoupletError::new_err)?;
-    let has_thickness = columns.all.iter().any(|column| column.role == Role::GivenThickness);
-    let quantities = quantities(&names, has_thickness)?;
+    let quantities = quantities(&names, columns.has(Field::Thickness))?;
     let is_short = is_short(cells.first().map_or(0, Column::len), &quantities);
     let table = Table { columns, cells, weight };
     warn(py, table.note())?;
@@ -124,7 +123,7 @@ impl Table {
 
     /// The same of a table without weights, or with exact cells; those of doubles as arrays of doubles are answered.
     fn of_one_weight(&self, quantities: &[Quantity]) -> Result<BatchColumns, Refused> {
-        match self.arrays(Role::HalfOpening) {
+        match self.arrays(Role::Given(Field::HalfOpening)) {
             Some(arches) => arches.columns(quantities),
             None => Ok(self.exact().answers(quantities)),
         }
@@ -132,7 +131,8 @@ impl Table {
 
     /// What may have been meant otherwise of its frictions.
     fn note(&self) -> Option<String> {
-        let is_coefficient = |of: &RowColumn| of.role == Role::Friction && of.unit.is_empty();
+        let friction = Role::Given(Field::Friction);
+        let is_coefficient = |of: &RowColumn| of.role == friction && of.unit.is_empty();
         let place = self.columns.all.iter().position(is_coefficient)?;
         match &self.cells[place] {
             Column::Doubles(numbers) => array_note(numbers).map(str::to_owned),
@@ -152,16 +152,16 @@ impl Table {
                 return None;
             }
             let array = match column.role {
-                Role::HalfOpening => {
+                Role::Given(Field::HalfOpening) => {
                     units.has_degrees = column.unit == "deg";
                     &mut half_openings
                 }
-                Role::Friction | Role::FrictionAngle => {
-                    let is_angle = column.role == Role::FrictionAngle || column.unit == "deg";
+                Role::Given(field @ (Field::Friction | Field::FrictionAngle)) => {
+                    let is_angle = field == Field::FrictionAngle || column.unit == "deg";
                     units.friction_angles = is_angle.then_some(column.unit == "deg");
                     &mut frictions
                 }
-                Role::GivenThickness => &mut thicknesses,
+                Role::Given(Field::Thickness) => &mut thicknesses,
                 role if role == beside => continue,
                 _ => return None,
             };
@@ -182,8 +182,7 @@ impl Table {
         };
         let rows: Vec<usize> = (0..self.cells.iter().map(Column::len).min().unwrap_or(0)).collect();
         let arches = Threads::Pool.each(&rows, row);
-        let has_thickness = self.columns.all.iter().any(|of| of.role == Role::GivenThickness);
-        ExactArches { arches, has_thickness }
+        ExactArches { arches, has_thickness: self.columns.has(Field::Thickness) }
     }
 }
 

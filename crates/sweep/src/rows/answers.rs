@@ -103,6 +103,7 @@ mod tests {
     use super::super::{Columns, NumberStyle, Purpose, Role};
     use super::*;
     use crate::arch::SelfWeight;
+    use crate::ask::Field;
     use crate::report::{Content, open_rows};
 
     fn reader() -> ArchReader {
@@ -130,8 +131,8 @@ mod tests {
             let cells = columns.iter().map(|column| {
                 let cell = match column.role {
                     Role::Weight => SelfWeight::ALL[k as usize % 2].name(),
-                    Role::HalfOpening => &alpha,
-                    Role::Friction => &mu,
+                    Role::Given(Field::HalfOpening) => &alpha,
+                    Role::Given(Field::Friction) => &mu,
                     _ => eta,
                 };
                 Some(cell.to_owned())

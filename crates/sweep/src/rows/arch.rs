@@ -4,7 +4,7 @@ use super::columns::{Cells, Columns};
 use super::number_style::{NumberStyle, is_bare};
 use super::roles::Role;
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Spelling};
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
 use crate::number::{ExactNumber, ParseExactError, is_range, shown};
 use crate::parse;
 use crate::problem::measures::Measures;
@@ -47,11 +47,12 @@ impl ArchReader {
             let (text, unit) = self.given(cells, role)?;
             Some(format!("{text}{unit}"))
         };
-        let angle = || text(Role::FrictionAngle).map(|angle| format!("tan({angle})"));
+        let given = |field| text(Role::Given(field));
+        let angle = || given(Field::FrictionAngle).map(|angle| format!("tan({angle})"));
         [
             text(Role::Weight).unwrap_or_else(|| self.weight.name().to_owned()),
-            text(Role::HalfOpening).unwrap_or_default(),
-            text(Role::Friction).or_else(angle).unwrap_or_default(),
+            given(Field::HalfOpening).unwrap_or_default(),
+            given(Field::Friction).or_else(angle).unwrap_or_default(),
         ]
     }
 
@@ -90,18 +91,19 @@ impl ArchReader {
     pub fn arch(&self, cells: &Cells) -> Result<RowArch, String> {
         self.one_arch(cells)?;
         let (weight, asked) = self.ranged(cells)?;
-        let missing = |role: Role| match self.said(cells, role) {
-            Some(_) => format!("the {} is empty", role.name()),
-            None => format!("the {} is missing", role.name()),
+        let is_there = |field| self.said(cells, Role::Given(field)).is_some();
+        let missing = |field: Field| {
+            let how = if is_there(field) { "empty" } else { "missing" };
+            format!("the {} is {how}", field.name())
         };
         let fits = ArchQuestion::ANY.fits(&asked, Spelling::Key);
         let given = fits.and_then(|()| ArchGiven::new(&asked, Spelling::Key));
         let ArchGiven { half_opening, friction, thickness, measures, .. } =
             given.map_err(|misfit| misfit.message)?;
-        let half_opening = half_opening.ok_or_else(|| missing(Role::HalfOpening))?;
-        let friction = friction.ok_or_else(|| match self.said(cells, Role::FrictionAngle) {
-            Some(_) => missing(Role::FrictionAngle),
-            None => missing(Role::Friction),
+        let half_opening = half_opening.ok_or_else(|| missing(Field::HalfOpening))?;
+        let friction = friction.ok_or_else(|| match is_there(Field::FrictionAngle) {
+            true => missing(Field::FrictionAngle),
+            false => missing(Field::Friction),
         })?;
         let friction = match friction {
             Friction::Coefficient(mu) if self.doubles => Friction::Coefficient(nearest(&mu)?),

@@ -73,6 +73,11 @@ impl Columns {
         Ok(Self { all, named: true, purpose, kept: Vec::new() })
     }
 
+    /// Tells whether a field of an arch has a column.
+    pub fn has(&self, field: Field) -> bool {
+        self.all.iter().any(|column| column.role == Role::Given(field))
+    }
+
     /// Columns beside which some names are handed on.
     pub(super) fn beside(self, kept: Vec<String>) -> Self {
         Self { kept, ..self }
@@ -109,8 +114,8 @@ impl Columns {
             _ if !column.unit.is_empty() && !is_named => {
                 !is_ours && !column.role.names(Purpose::Ask).into_iter().any(&has)
             }
-            Role::GivenThickness => !is_least,
-            Role::Size(Field::MeasuredAt) => !is_told,
+            Role::Given(Field::Thickness) => !is_least,
+            Role::Given(Field::MeasuredAt) => !is_told,
             _ => true,
         }
     }
@@ -246,21 +251,22 @@ impl Columns {
                 wanted("the verdict", (Role::Stands, ""))
             };
         }
-        let sizes = [Field::Span, Field::Rise, Field::Radius].map(|of| has(Role::Size(of)));
+        let given = |field| has(Role::Given(field));
+        let sizes = [Field::Span, Field::Rise, Field::Radius].map(given);
         let made = sizes.into_iter().filter(|has| *has).count();
         if let ([true, false, false] | [false, true, false], false) =
-            (sizes, has(Role::HalfOpening))
+            (sizes, given(Field::HalfOpening))
         {
             let [one, other] = if sizes[0] { ["span", "rise"] } else { ["rise", "span"] };
             return Err(format!("{one} needs {other}, radius or half_opening"));
         }
-        if !has(Role::HalfOpening) && made < 2 {
+        if !given(Field::HalfOpening) && made < 2 {
             let instead = "two of 'span', 'rise' and 'radius'";
-            return wanted("the half opening", (Role::HalfOpening, instead));
+            return wanted("the half opening", (Role::Given(Field::HalfOpening), instead));
         }
-        match (has(Role::Friction), has(Role::FrictionAngle)) {
+        match (given(Field::Friction), given(Field::FrictionAngle)) {
             (false, false) => {
-                return wanted("the friction", (Role::Friction, "'friction_angle'"));
+                return wanted("the friction", (Role::Given(Field::Friction), "'friction_angle'"));
             }
             (true, true) if self.named => {
                 return Err(format!("{have} both friction and friction_angle: choose one"));

@@ -4,7 +4,7 @@ use super::arch::ArchReader;
 use super::columns::Cells;
 use super::keep::ReadRow;
 use super::roles::Role;
-use crate::ask::notes;
+use crate::ask::{Field, notes};
 use crate::judge::{Demand, RowClaim, Said, judge};
 use crate::parse::thickness;
 use crate::problem::Quantity;
@@ -48,9 +48,9 @@ impl Judge {
         // Beside what is said of an arch that has a thickness, `thickness` is that one.
         let has_one =
             columns().any(|(column, cell)| column.role.is_of_thickness() && cell.is_some());
-        let role = match text(Role::GivenThickness) {
+        let role = match text(Role::Given(Field::Thickness)) {
             None if has_one => Role::Number(Quantity::Thickness),
-            _ => Role::GivenThickness,
+            _ => Role::Given(Field::Thickness),
         };
         let given = self.reader.given(cells, role);
         let given = given.map(|said| thickness(&self.reader.exact(said))).transpose()?;

@@ -8,16 +8,8 @@ use crate::problem::Quantity;
 pub enum Role {
     /// The model of self-weight.
     Weight,
-    /// The half opening.
-    HalfOpening,
-    /// The coefficient of friction.
-    Friction,
-    /// The angle of friction.
-    FrictionAngle,
-    /// A size of an arch that is measured, or the circle at which it is.
-    Size(Field),
-    /// The thickness that an arch has.
-    GivenThickness,
+    /// A field by which an arch is given.
+    Given(Field),
     /// Statement of whether the arch stands at some thickness.
     CanStand,
     /// Statement of whether the arch stands at the thickness that it has, or at some thickness if it has none.
@@ -39,7 +31,9 @@ pub enum Purpose {
     Assemblies,
 }
 
-const ARCH: [Role; 4] = [Role::Weight, Role::HalfOpening, Role::Friction, Role::FrictionAngle];
+/// Fields of every arch, whatever is asked or said of it.
+const ARCH: [Field; 4] =
+    [Field::HalfOpening, Field::Friction, Field::FrictionAngle, Field::Thickness];
 
 impl Purpose {
     /// The roles that are read.
@@ -47,10 +41,10 @@ impl Purpose {
         if self == Self::Assemblies {
             return vec![Role::Stands];
         }
-        let mut roles = ARCH.to_vec();
-        roles.push(Role::GivenThickness);
+        let mut roles = vec![Role::Weight];
+        roles.extend(ARCH.map(Role::Given));
         if self == Self::Ask {
-            roles.extend(Field::SIZES.map(Role::Size));
+            roles.extend(Field::SIZES.map(Role::Given));
         } else {
             roles.extend([Role::CanStand, Role::Stands, Role::Mode]);
             roles.extend(Quantity::STATE.map(Role::Number));
@@ -65,11 +59,8 @@ impl Role {
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Weight => "weight",
-            Self::HalfOpening => "half_opening",
-            Self::Friction => "friction",
-            Self::FrictionAngle => "friction_angle",
-            Self::Size(field) => field.name(),
-            Self::GivenThickness => "given_thickness",
+            Self::Given(Field::Thickness) => "given_thickness",
+            Self::Given(field) => field.name(),
             Self::CanStand => "can_stand",
             Self::Stands => "stands",
             Self::Mode => "mode",
@@ -77,24 +68,16 @@ impl Role {
         }
     }
 
-    /// The quantity whose name, and letter in the paper, it may have.
-    fn quantity(self, purpose: Purpose) -> Option<Quantity> {
-        match (self, purpose) {
-            (Self::HalfOpening, _) => Some(Quantity::HalfOpening),
-            (Self::Friction, _) => Some(Quantity::Friction),
-            (Self::FrictionAngle, _) => Some(Quantity::FrictionAngle),
-            (Self::GivenThickness, Purpose::Ask) | (Self::Number(Quantity::Thickness), _) => {
-                Some(Quantity::Thickness)
-            }
-            _ => None,
-        }
-    }
-
     /// All names of it, the one to show first.
     pub(super) fn names(self, purpose: Purpose) -> Vec<&'static str> {
-        let quantity = self.quantity(purpose);
-        let mut names: Vec<_> = quantity.map(Quantity::name).into_iter().collect();
-        names.extend(quantity.and_then(Quantity::letter));
+        let field = match self {
+            Self::Number(Quantity::Thickness) => Some(Field::Thickness),
+            // Among results the thickness is that of the state.
+            Self::Given(Field::Thickness) if purpose != Purpose::Ask => None,
+            _ => self.field(),
+        };
+        let mut names: Vec<_> = field.map(Field::name).into_iter().collect();
+        names.extend(field.and_then(Field::letter));
         if !names.contains(&self.name()) {
             names.push(self.name());
         }
@@ -103,25 +86,18 @@ impl Role {
 
     /// The field of an arch that it is.
     pub(super) fn field(self) -> Option<Field> {
-        match self {
-            Self::HalfOpening => Some(Field::HalfOpening),
-            Self::Friction => Some(Field::Friction),
-            Self::FrictionAngle => Some(Field::FrictionAngle),
-            Self::GivenThickness => Some(Field::Thickness),
-            Self::Size(field) => Some(field),
-            _ => None,
-        }
+        if let Self::Given(field) = self { Some(field) } else { None }
     }
 
     /// Units that its cells may have, the usual one first.
     pub(super) fn units(self) -> &'static [&'static str] {
         match self {
-            Self::HalfOpening | Self::FrictionAngle => &["rad", "deg", "gon"],
-            Self::Friction => &["deg", "gon"],
+            Self::Given(Field::HalfOpening | Field::FrictionAngle) => &["rad", "deg", "gon"],
+            Self::Given(Field::Friction) => &["deg", "gon"],
+            Self::Given(Field::Density) => &["kN/m3", "kg/m3"],
+            Self::Given(Field::MeasuredAt) => &[],
+            Self::Given(_) => &["m", "cm", "mm", "ft", "in"],
             Self::Number(quantity) if quantity.is_angle() => &["rad", "deg"],
-            Self::Size(Field::Density) => &["kN/m3", "kg/m3"],
-            Self::Size(Field::MeasuredAt) => &[],
-            Self::Size(_) | Self::GivenThickness => &["m", "cm", "mm", "ft", "in"],
             _ => &[],
         }
     }
@@ -129,7 +105,7 @@ impl Role {
     /// Tells whether the role is about an arch of a given thickness.
     pub fn is_of_thickness(self) -> bool {
         match self {
-            Self::GivenThickness => true,
+            Self::Given(field) => field == Field::Thickness,
             Self::Number(quantity) => Quantity::ASSESSMENT.contains(&quantity),
             _ => false,
         }

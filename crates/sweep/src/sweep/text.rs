@@ -81,7 +81,7 @@ fn open(mut input: impl BufRead + Send + 'static) -> Result<TextRows, String> {
     let table = TextRows::open(Box::new(input)).map_err(|error| error.to_string())?;
     let mut columns = Columns::own(Purpose::Ask);
     columns.places(&table.header)?;
-    asks_states(|role| columns.all.iter().any(|column| column.role == role))?;
+    asks_states(|field| columns.has(field))?;
     Ok(table)
 }
 
@@ -95,7 +95,7 @@ fn listed(rows: TextRows, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, 
         lines.push(line);
         let mut texts = Default::default();
         let arch = row.and_then(|ReadRow { cells, .. }| {
-            asks_states(|role| reader.given(&cells, role).is_some())?;
+            asks_states(|field| reader.given(&cells, Role::Given(field)).is_some())?;
             texts = reader.described(&cells);
             reader.arch(&cells)
         });
@@ -107,11 +107,11 @@ fn listed(rows: TextRows, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, 
     Ok((lines, listed))
 }
 
-/// Refuses what asks for more than states, by the roles that it has.
-fn asks_states(has: impl Fn(Role) -> bool) -> Result<(), String> {
-    let (what, why) = if has(Role::GivenThickness) {
+/// Refuses what asks for more than states, by the fields that it has.
+fn asks_states(has: impl Fn(Field) -> bool) -> Result<(), String> {
+    let (what, why) = if has(Field::Thickness) {
         ("thickness", "asks for the least one")
-    } else if [Field::Density, Field::Depth].map(Role::Size).into_iter().any(has) {
+    } else if [Field::Density, Field::Depth].into_iter().any(has) {
         ("density or a depth", "has no forces")
     } else {
         return Ok(());

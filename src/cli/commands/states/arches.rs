@@ -9,7 +9,7 @@ use crate::cli::commands::stream::{Chunk, in_order};
 use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Content, open_rows};
 use crate::sweep::failure::Failure;
-use crate::sweep::rows::{ArchReader, GivenRows, Role, RowQuestion, Syntax};
+use crate::sweep::rows::{ArchReader, GivenRows, RowQuestion, Syntax};
 use std::io;
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -18,7 +18,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let GivenRows { columns, spelling, kept, rows } = given;
     let (digits, in_lines) = (arguments.digits, format.name == "jsonl");
     // A table without a column for the thickness asks for states alone.
-    let answers = match columns.all.iter().any(|column| column.role == Role::GivenThickness) {
+    let answers = match columns.has(Field::Thickness) {
         true => Answers::mixed(digits),
         false => Answers::arches(digits, false),
     };
@@ -26,8 +26,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if answers.have_assessments() {
         all.extend(Quantity::ASSESSMENT);
     }
-    let has = |field| columns.all.iter().any(|column| column.role == Role::Size(field));
-    let measured: Vec<Quantity> = match has(Field::Span) || has(Field::Radius) {
+    let measured: Vec<Quantity> = match columns.has(Field::Span) || columns.has(Field::Radius) {
         // Each object may have sizes or not.
         _ if matches!(syntax, Syntax::Json) && !in_lines => Vec::new(),
         true if answers.have_assessments() => Quantity::MEASURED_ASSESSMENT.to_vec(),
@@ -35,8 +34,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         false => Vec::new(),
     };
     // Without a density no forces are known.
+    let has_forces = columns.has(Field::Density);
     let measured: Vec<Quantity> =
-        measured.into_iter().filter(|of| !of.is_force() || has(Field::Density)).collect();
+        measured.into_iter().filter(|of| !of.is_force() || has_forces).collect();
     all.extend(&measured);
     let answers = match arguments.quantities.is_empty() {
         true => Answers { quantities: [&answers.quantities[..], &measured].concat(), ..answers },

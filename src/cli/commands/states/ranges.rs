@@ -10,7 +10,7 @@ use crate::problem::Quantity;
 use crate::report::words::distinct;
 use crate::report::{Content, SurveyedArches, SurveyedRow, SurveyedRows};
 use crate::sweep::failure::Failure;
-use crate::sweep::rows::{ArchReader, Cells, Numbered, ReadRow, Role};
+use crate::sweep::rows::{ArchReader, Cells, Numbered, ReadRow};
 use crate::sweep::surveyed::{of_rows, surveyed};
 use std::io;
 
@@ -20,12 +20,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let Some(opened) = Opened::new(arguments, Content::RANGES)? else { return Ok(()) };
     let Opened { given, progress, output, format, .. } = opened;
-    let has = |role| given.columns.all.iter().any(|column| column.role == role);
-    let have_thickness = has(Role::GivenThickness);
-    let all = of_rows(|field| match field {
-        Field::Thickness => have_thickness,
-        size => has(Role::Size(size)),
-    });
+    let has = |field| given.columns.has(field);
+    let (have_thickness, all) = (has(Field::Thickness), of_rows(has));
     let asked = arguments.quantities.iter().map(|of| match of {
         // Of arches without a thickness it is the least.
         Quantity::Thickness => Quantity::LeastThickness,
