@@ -4,28 +4,16 @@
 //! A column is read by its pages and not by `get_column_reader` of the group, which would bring readers of all types
 //! and of nested records into a program, although we write numbers and texts.
 
+use crate::report::{ParquetColumn, ParquetTable};
 use ::parquet::basic::Type;
 use ::parquet::column::reader::ColumnReaderImpl;
-use ::parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
+use ::parquet::data_type::{ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
 use ::parquet::errors::{ParquetError, Result};
 use ::parquet::file::metadata::ColumnChunkMetaData;
 use ::parquet::file::reader::{FileReader, SerializedFileReader};
 use ::parquet::file::serialized_reader::SerializedPageReader;
 use std::fs::File;
 use std::sync::Arc;
-
-/// The cells of a column as they were read; they may be null.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum ReadCells {
-    Text(Vec<Option<ByteArray>>),
-    Double(Vec<Option<f64>>),
-    Whole(Vec<Option<i64>>),
-    /// A whole number of one byte.
-    Short(Vec<Option<i32>>),
-}
-
-/// The rows of a row group by columns, with the names of these, as they were read.
-pub(super) struct ReadTable(Vec<(String, ReadCells)>);
 
 /// File of a part whose content has the hash of its name.
 pub(super) struct ReadPart(SerializedFileReader<File>, Arc<File>);
@@ -42,35 +30,31 @@ impl ReadPart {
     }
 
     /// The columns of a row group, as they were written.
-    pub(super) fn group(&self, place: usize) -> Result<ReadTable> {
+    pub(super) fn group(&self, place: usize) -> Result<ParquetTable<'static>> {
         let group = self.0.metadata().row_group(place);
         let rows = usize::try_from(group.num_rows())?;
         let columns = group.columns().iter().map(|column| {
             let of = (&self.1, column, rows);
             let cells = match column.column_type() {
-                Type::BYTE_ARRAY => ReadCells::Text(cells::<ByteArrayType>(of)?),
-                Type::DOUBLE => ReadCells::Double(cells::<DoubleType>(of)?),
-                Type::INT64 => ReadCells::Whole(cells::<Int64Type>(of)?),
-                Type::INT32 => ReadCells::Short(cells::<Int32Type>(of)?),
+                Type::BYTE_ARRAY => ParquetColumn::Text(cells::<ByteArrayType>(of)?),
+                Type::DOUBLE => ParquetColumn::Double(cells::<DoubleType>(of)?),
+                Type::INT64 => ParquetColumn::Whole(cells::<Int64Type>(of)?),
+                Type::INT32 => ParquetColumn::Short(cells::<Int32Type>(of)?),
                 _ => return Err(ParquetError::General("a column of another type".into())),
             };
             Ok((column.column_descr().name().to_owned(), cells))
         });
-        columns.collect::<Result<_>>().map(ReadTable)
+        Ok(ParquetTable { rows, again: &[], once: &[], columns: columns.collect::<Result<_>>()? })
     }
 }
 
-impl ReadTable {
-    /// The cells of a column, if there is one of that name.
-    pub(super) fn column(&self, name: &str) -> Option<&ReadCells> {
-        self.0.iter().find(|(of, _)| of == name).map(|(_, cells)| cells)
-    }
-}
+/// The cell of each row of a column that was read.
+type ReadCell<T> = Box<dyn Fn(usize) -> Option<T>>;
 
 /// The cells of a column with so many rows, which has this type; none where there is no value.
 fn cells<T: DataType>(
     (file, column, rows): (&Arc<File>, &ColumnChunkMetaData, usize),
-) -> Result<Vec<Option<T::T>>> {
+) -> Result<ReadCell<T::T>> {
     // Of bytes before the beginning of the file there are none.
     let numbers = [column.compressed_size(), column.data_page_offset()];
     let numbers = numbers.into_iter().chain(column.dictionary_page_offset());
@@ -84,5 +68,7 @@ fn cells<T: DataType>(
         return Err(ParquetError::General("rows are missing".into()));
     }
     let mut values = values.into_iter();
-    Ok(there.iter().map(|level| if *level > 0 { values.next() } else { None }).collect())
+    let cell = |level: &i16| if *level > 0 { values.next() } else { None };
+    let cells: Vec<Option<T::T>> = there.iter().map(cell).collect();
+    Ok(Box::new(move |row| cells.get(row).cloned().flatten()))
 }

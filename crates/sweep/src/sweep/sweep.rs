@@ -138,7 +138,8 @@ impl Sweep {
             let queries = self.queries(&group)?;
             let found = file.kept_during(|| self.batch.columns(&queries, Threads::One));
             found.verdicts.iter().for_each(|verdict| counts[*verdict as usize] += 1);
-            let table = table::all(&self.batch.quantities, &queries, &found);
+            let mut table = table::asked(&queries);
+            table.columns.extend(table::answered(&self.batch.quantities, &found).columns);
             let bytes = writer.group(&table);
             bytes.and_then(|bytes| file.write_all(&bytes)).map_err(unwritten)?;
         }

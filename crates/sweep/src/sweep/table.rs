@@ -1,7 +1,6 @@
 //! The rows of a part by columns: those that are asked, and those that are answered.
 
 use super::query::{Listed, PartArches, PartGrid, PartQueries};
-use super::read::ReadCells;
 use crate::arch::SelfWeight;
 use crate::certify::batch::{BatchColumns, RowVerdict};
 use crate::problem::{Mode, Quantity};
@@ -59,17 +58,6 @@ pub(super) fn asked<'a>(queries: &'a PartQueries<'a>) -> ParquetTable<'a> {
     ParquetTable { rows: queries.len(), again, once: &["row"], columns }
 }
 
-/// All columns.
-pub(super) fn all<'a>(
-    quantities: &[Quantity],
-    queries: &'a PartQueries<'a>,
-    found: &'a BatchColumns,
-) -> ParquetTable<'a> {
-    let mut table = asked(queries);
-    table.columns.extend(answered(quantities, found).columns);
-    table
-}
-
 /// The columns that are answered.
 pub(super) fn answered<'a>(quantities: &[Quantity], found: &'a BatchColumns) -> ParquetTable<'a> {
     // The texts of names are shared.
@@ -100,19 +88,16 @@ pub(super) fn answered<'a>(quantities: &[Quantity], found: &'a BatchColumns) -> 
 /// Tells whether a cell of a column is one that was read, bit for bit.
 pub(super) fn is_same(
     (column, row): (&ParquetColumn, usize),
-    (there, place): (&ReadCells, usize),
+    (there, place): (&ParquetColumn, usize),
 ) -> bool {
     use ParquetColumn as Column;
     match (column, there) {
-        (Column::Name(cell) | Column::Text(cell), ReadCells::Text(there)) => {
-            there.get(place) == Some(&cell(row))
+        (Column::Name(cell) | Column::Text(cell), Column::Text(there)) => cell(row) == there(place),
+        (Column::Double(cell), Column::Double(there)) => {
+            cell(row).map(f64::to_bits) == there(place).map(f64::to_bits)
         }
-        (Column::Double(cell), ReadCells::Double(there)) => {
-            let bits = |cell: &Option<f64>| cell.map(f64::to_bits);
-            there.get(place).map(bits) == Some(bits(&cell(row)))
-        }
-        (Column::Whole(cell), ReadCells::Whole(there)) => there.get(place) == Some(&cell(row)),
-        (Column::Short(cell), ReadCells::Short(there)) => there.get(place) == Some(&cell(row)),
+        (Column::Whole(cell), Column::Whole(there)) => cell(row) == there(place),
+        (Column::Short(cell), Column::Short(there)) => cell(row) == there(place),
         _ => false,
     }
 }

@@ -1,6 +1,6 @@
 //! Looks through a sweep that was made: its parts, its rows, and what is proved of some of them.
 
-use super::read::{ReadCells, ReadPart, ReadTable};
+use super::read::ReadPart;
 use super::store::PartState;
 use super::strategies::Draw;
 use super::sweep::Sweep;
@@ -10,6 +10,7 @@ use crate::certify::certify_arch;
 use crate::check::{Accepted, verify as check};
 use crate::failure::Failure;
 use crate::problem::{Arch, Problem};
+use crate::report::{ParquetColumn, ParquetTable};
 use rayon::prelude::*;
 use rug::{Integer, Rational};
 use std::borrow::Cow;
@@ -99,17 +100,18 @@ fn look(
         let queries = sweep.queries(&rows)?;
         let asked = asked(&queries);
         for (name, column) in &asked.columns {
-            let there = table.column(name);
-            let are_same =
-                |cells: &ReadCells| (0..asked.rows).all(|row| is_same((column, row), (cells, row)));
+            let there = self::column(&table, name);
+            let are_same = |cells: &ParquetColumn| {
+                (0..asked.rows).all(|row| is_same((column, row), (cells, row)))
+            };
             if asked.rows as u64 != rows.end - rows.start || !there.is_some_and(are_same) {
                 return Err(format!("its column {name} is not what the plan asks"));
             }
         }
-        let Some(ReadCells::Text(verdicts)) = table.column("verdict") else {
+        let Some(ParquetColumn::Text(verdicts)) = column(&table, "verdict") else {
             return Err("it has no verdicts".into());
         };
-        for verdict in verdicts.iter().flatten() {
+        for verdict in (0..table.rows).filter_map(verdicts) {
             let is = |of: &&RowVerdict| verdict.data() == of.name().as_bytes();
             if let Some(of) = RowVerdict::ALL.iter().find(is) {
                 there[*of as usize] += 1;
@@ -133,10 +135,15 @@ fn look(
     }
 }
 
+/// The cells of a column, if there is one of that name.
+fn column<'t>(table: &'t ParquetTable, name: &str) -> Option<&'t ParquetColumn<'t>> {
+    table.columns.iter().find(|(of, _)| of == name).map(|(_, cells)| cells)
+}
+
 /// Proves a row again; whether it was certified too.
 fn row(
     sweep: &Sweep,
-    table: &ReadTable,
+    table: &ParquetTable,
     place: usize,
     asked: Result<Cow<'_, Arch>, String>,
     certified: &AtomicUsize,
@@ -145,7 +152,7 @@ fn row(
     let (found, quantities) = (sweep.batch.one(&arch), &sweep.batch.quantities);
     let again = answered(quantities, &found);
     for (name, column) in &again.columns {
-        let there = table.column(name);
+        let there = self::column(table, name);
         if !there.is_some_and(|there| is_same((column, 0), (there, place))) {
             return Err(format!("its {name} is not what is proved"));
         }
