@@ -6,7 +6,7 @@ use super::strategies::samples;
 use super::text;
 use crate::arch::SelfWeight;
 use crate::certify::batch::SharedOpening;
-use crate::number::{DoubleDoubleBall, ExactNumber};
+use crate::number::ExactNumber;
 use crate::problem::{Arch, Friction};
 use crate::report::GivenDoubles;
 use ::parquet::data_type::ByteArray;
@@ -17,29 +17,18 @@ use std::path::Path;
 /// Rows of a sample that are drawn from one seed: the block `b` has the arches of `couplet sample --seed SEED+b`.
 const BLOCK: u64 = 1_000;
 
-/// Frictions of a grid, read once for all its rows; none of other sweeps.
-#[derive(Debug, Default)]
-pub(super) struct GridFrictions {
-    numbers: Vec<AxisNumber<Friction>>,
-    enclosed: Vec<Option<DoubleDoubleBall>>,
-}
-
-impl GridFrictions {
-    pub(super) fn of(record: &SweepRecord) -> Result<Self, String> {
-        let record::Arches::Grid { friction, .. } = &record.arches else {
-            return Ok(Self::default());
-        };
-        let one = ExactNumber::from(&rug::Rational::from(1));
-        let read = |text: &String| {
-            let number: Friction = text.parse().map_err(|error| wrong(&error))?;
-            let arch = Arch::new(SelfWeight::Heyman, one.clone(), number.clone());
-            let double = GivenDoubles::new(&arch.map_err(|error| wrong(&error))?, None).friction;
-            Ok(AxisNumber { text: ByteArray::from(text.as_str()), double, number })
-        };
-        let numbers = friction.iter().map(read).collect::<Result<Vec<_>, String>>()?;
-        let enclosed = numbers.iter().map(|of| SharedOpening::enclosed(&of.number)).collect();
-        Ok(Self { numbers, enclosed })
-    }
+/// Frictions of a grid; none of other sweeps.
+pub(super) fn frictions(record: &SweepRecord) -> Result<Vec<AxisNumber<Friction>>, String> {
+    let record::Arches::Grid { friction, .. } = &record.arches else { return Ok(Vec::new()) };
+    let one = ExactNumber::from(&rug::Rational::from(1));
+    let read = |text: &String| {
+        let number: Friction = text.parse().map_err(|error| wrong(&error))?;
+        let arch = Arch::new(SelfWeight::Heyman, one.clone(), number.clone());
+        let double = GivenDoubles::new(&arch.map_err(|error| wrong(&error))?, None).friction;
+        let enclosed = SharedOpening::enclosed(&number);
+        Ok(AxisNumber { text: ByteArray::from(text.as_str()), double, enclosed, number })
+    };
+    friction.iter().map(read).collect()
 }
 
 fn wrong(error: &dyn fmt::Display) -> String {
@@ -49,7 +38,7 @@ fn wrong(error: &dyn fmt::Display) -> String {
 /// The rows of a group of a part; `base` is where the paths of a data set begin.
 pub(super) fn queries<'a>(
     record: &SweepRecord,
-    frictions: &'a GridFrictions,
+    frictions: &'a [AxisNumber<Friction>],
     rows: &Range<u64>,
     base: &Path,
 ) -> Result<PartQueries<'a>, String> {
@@ -93,30 +82,27 @@ fn data(
 fn grid<'a>(
     weights: &[SelfWeight],
     half_openings: &[String],
-    frictions: &'a GridFrictions,
+    frictions: &'a [AxisNumber<Friction>],
     rows: &Range<u64>,
 ) -> Result<PartGrid<'a>, String> {
-    let column = frictions.numbers.len() as u64;
+    let column = frictions.len() as u64;
     let columns = rows.start / column..rows.end.div_ceil(column);
     // Whole columns, or a piece of one.
     let needed = match columns.end - columns.start {
         1 => (rows.start % column) as usize..((rows.end - 1) % column + 1) as usize,
-        _ => 0..frictions.numbers.len(),
+        _ => 0..frictions.len(),
     };
     let count = half_openings.len() as u64;
     let column = |place: u64| {
         let (weight, text) =
             (weights[(place / count) as usize], &half_openings[(place % count) as usize]);
         let number: ExactNumber = text.parse().map_err(|error| wrong(&error))?;
-        let double = number.nearest_double();
-        Ok((weight, AxisNumber { text: ByteArray::from(text.as_str()), double, number }))
+        let (text, double) = (ByteArray::from(text.as_str()), number.nearest_double());
+        let enclosed = Some(SharedOpening::enclosed_number(&number));
+        Ok((weight, AxisNumber { text, double, enclosed, number }))
     };
-    let columns = columns.map(column).collect::<Result<Vec<_>, String>>()?;
-    let opening =
-        |(_, at): &(_, AxisNumber<ExactNumber>)| SharedOpening::enclosed_number(&at.number);
-    let openings = columns.iter().map(opening).collect();
-    let enclosed = &frictions.enclosed[needed.clone()];
-    Ok(PartGrid { columns, frictions: &frictions.numbers[needed], openings, enclosed })
+    let columns = columns.map(column).collect::<Result<_, String>>()?;
+    Ok(PartGrid { columns, frictions: &frictions[needed] })
 }
 
 fn sample(seed: u64, hard: bool, rows: &Range<u64>) -> Listed {

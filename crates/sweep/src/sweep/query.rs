@@ -27,17 +27,15 @@ pub(super) enum PartArches<'a> {
 pub(super) struct PartGrid<'a> {
     pub columns: Vec<(SelfWeight, AxisNumber<ExactNumber>)>,
     pub frictions: &'a [AxisNumber<Friction>],
-    /// The half openings in enclosures.
-    pub openings: Vec<DoubleDoubleBall>,
-    /// The frictions in enclosures, the same for every half opening; none for those without a limit.
-    pub enclosed: &'a [Option<DoubleDoubleBall>],
 }
 
-/// A number of an axis: its text, the nearest double, and itself.
+/// A number of an axis: its text, the nearest double, an enclosure, and itself.
 #[derive(Debug)]
 pub(super) struct AxisNumber<T> {
     pub text: ByteArray,
     pub double: Option<f64>,
+    /// Nothing encloses a friction without a limit.
+    pub enclosed: Option<DoubleDoubleBall>,
     pub number: T,
 }
 
@@ -58,9 +56,7 @@ impl PartQueries<'_> {
     /// Number of rows.
     pub(super) fn len(&self) -> usize {
         match &self.arches {
-            PartArches::Grid(PartGrid { columns, frictions, .. }) => {
-                columns.len() * frictions.len()
-            }
+            PartArches::Grid(PartGrid { columns, frictions }) => columns.len() * frictions.len(),
             PartArches::Listed(listed) => listed.arches.len(),
         }
     }
@@ -84,10 +80,10 @@ impl BatchArches for PartQueries<'_> {
 
     fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)> {
         match &self.arches {
-            PartArches::Grid(PartGrid { columns, frictions, openings, enclosed }) => {
-                let (weight, _) = &columns[row / frictions.len()];
-                let arch = (openings[row / frictions.len()], enclosed[row % frictions.len()]);
-                Some((*weight, (arch, None)))
+            PartArches::Grid(PartGrid { columns, frictions }) => {
+                let (weight, half_opening) = &columns[row / frictions.len()];
+                let friction = &frictions[row % frictions.len()];
+                Some((*weight, ((half_opening.enclosed?, friction.enclosed), None)))
             }
             PartArches::Listed(listed) => {
                 let arch = listed.arches[row].as_ref().ok()?;
@@ -98,7 +94,7 @@ impl BatchArches for PartQueries<'_> {
 
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {
         match &self.arches {
-            PartArches::Grid(PartGrid { columns, frictions, .. }) => {
+            PartArches::Grid(PartGrid { columns, frictions }) => {
                 let (weight, half_opening) = &columns[row / frictions.len()];
                 let friction = frictions[row % frictions.len()].number.clone();
                 let arch = Arch::new(*weight, half_opening.number.clone(), friction);

@@ -2,13 +2,14 @@
 //! shares the parts among processes or machines.
 
 use super::notes::Notes;
-use super::queries::{GridFrictions, queries};
-use super::query::PartQueries;
+use super::queries::{frictions, queries};
+use super::query::{AxisNumber, PartQueries};
 use super::record::{Arches, SweepRecord};
 use super::store::{PartState, Store};
 use super::table;
 use crate::certify::batch::{Batch, Threads};
 use crate::failure::Failure;
+use crate::problem::Friction;
 use crate::report::ParquetFile;
 use crate::scene::{SWEEP_DIGITS, SweepPlan};
 use rayon::prelude::*;
@@ -25,7 +26,8 @@ pub struct Sweep {
     pub(super) base: PathBuf,
     pub(super) batch: Batch,
     parts: Vec<Range<u64>>,
-    frictions: OnceLock<Result<GridFrictions, String>>,
+    /// Frictions of a grid, read once for all its rows.
+    frictions: OnceLock<Result<Vec<AxisNumber<Friction>>, String>>,
 }
 
 /// State of a part: complete, with the counts of its verdicts, or missing.
@@ -123,7 +125,7 @@ impl Sweep {
 
     /// The rows of a group of a part, as they are asked.
     pub(super) fn queries(&self, group: &Range<u64>) -> Result<PartQueries<'_>, String> {
-        let frictions = self.frictions.get_or_init(|| GridFrictions::of(&self.record));
+        let frictions = self.frictions.get_or_init(|| frictions(&self.record));
         queries(&self.record, frictions.as_ref().map_err(Clone::clone)?, group, &self.base)
     }
 

@@ -21,7 +21,7 @@ pub(super) fn asked<'a>(queries: &'a PartQueries<'a>) -> ParquetTable<'a> {
         columns.push(("line".into(), ParquetColumn::whole(move |row| Some(lines[row]))));
     }
     let given = match &queries.arches {
-        PartArches::Grid(PartGrid { columns, frictions, .. }) => {
+        PartArches::Grid(PartGrid { columns, frictions }) => {
             let names = SelfWeight::ALL.map(|weight| (weight, ByteArray::from(weight.name())));
             let name = move |weight: SelfWeight| {
                 Some(names.iter().find(|(of, _)| *of == weight)?.1.clone())
