@@ -51,6 +51,12 @@ impl NewFile {
         let _ = self.file.inner().set_len(self.bytes);
     }
 
+    /// Writes some bytes behind the others.
+    pub(super) fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.bytes += bytes.len() as u64;
+        self.file.write_all(bytes)
+    }
+
     /// Makes the file appear.
     pub(super) fn appear(self, path: impl FnOnce(u64, &str) -> PathBuf) -> io::Result<()> {
         let (file, hash) = self.file.end();
@@ -61,18 +67,6 @@ impl NewFile {
             return Err(io::Error::other(words));
         }
         self.unfinished.appear(&path(self.bytes, &hash))
-    }
-}
-
-impl Write for NewFile {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let written = self.file.write(bytes)?;
-        self.bytes += written as u64;
-        Ok(written)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
     }
 }
 

@@ -11,7 +11,7 @@ use crate::report::words::shortened;
 use crate::scene::{content_of, record_bytes};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io;
 use std::ops::Range;
 use std::path::{self, Path, PathBuf};
 

@@ -13,7 +13,7 @@ use crate::problem::Friction;
 use crate::report::ParquetFile;
 use crate::scene::{SWEEP_DIGITS, SweepPlan};
 use rayon::prelude::*;
-use std::io::{self, Write};
+use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
