@@ -210,7 +210,7 @@ impl CaseStudy<'_> {
                 unknowns.map(|&unknown| refined.value(unknown)).collect()
             }
             Task::State { weight, half_opening, friction, .. } => {
-                let arch = arch(*weight, half_opening, friction)?;
+                let arch = arch(*weight, half_opening, Some(friction))?;
                 self.enclosures(&arch.state_alone(bits).ok()?)
             }
             _ => None,
@@ -245,7 +245,7 @@ impl CaseStudy<'_> {
         let Task::State { weight, half_opening, friction, .. } = &self.case.problem else {
             return Vec::new();
         };
-        let Some(arch) = arch(*weight, half_opening, friction) else { return Vec::new() };
+        let Some(arch) = arch(*weight, half_opening, Some(friction)) else { return Vec::new() };
         let doubles = || self.enclosures(&arch.state_in_doubles().ok()?);
         let pairs = || self.enclosures(&state_in_double_doubles(&arch).ok()?);
         let of_doubles = |all: Vec<DoubleBall>| Some(all.iter().map(double_ball).collect());

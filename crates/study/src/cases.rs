@@ -89,7 +89,7 @@ fn states() -> Vec<Case> {
     ];
     let cases = queries.into_iter().filter_map(|(mode, alpha, mu)| {
         let (half_opening, friction) = (Rational::from(alpha), Rational::from(mu));
-        let arch = arch(weight, &half_opening, &friction)?;
+        let arch = arch(weight, &half_opening, Some(&friction))?;
         let Ok(Outcome::Stands(state)) = arch.state(128) else { return None };
         // Nobody starts at the solution.
         let start = |&unknown| Some(state.value(unknown)?.mid().to_f64() * 1.001);
@@ -101,12 +101,14 @@ fn states() -> Vec<Case> {
     cases.collect()
 }
 
+/// The arch of exact numbers; without a friction of unlimited friction.
 pub(super) fn arch(
     weight: SelfWeight,
     half_opening: &Rational,
-    friction: &Rational,
+    friction: Option<&Rational>,
 ) -> Option<Arch> {
-    let friction = Friction::Coefficient(ExactNumber::from(friction));
+    let limited = |mu| Friction::Coefficient(ExactNumber::from(mu));
+    let friction = friction.map_or(Friction::Infinite, limited);
     Arch::new(weight, ExactNumber::from(half_opening), friction).ok()
 }
 

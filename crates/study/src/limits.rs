@@ -1,6 +1,6 @@
 //! The limits of the problem, and the problem at each distance from them.
 
-use super::target::{LimitTarget, before, reference, rotational, state_target};
+use super::target::{LimitTarget, before, reference, rotational, sliding, state_target};
 use crate::arch::Unknown;
 use crate::problem::{Landmark, Mode};
 use rug::{Float, Rational};
@@ -62,14 +62,14 @@ pub const LIMITS: [StudyLimit; 8] = [
         state_target(Mode::OverturningSliding, alpha, Some(friction), Unknown::Thrust)
     })
     .told("a large friction: an inner joint slides at a thrust like 1/(4 mu^2)"),
-    limit("mu-to-zero", "friction", |x| Some(LimitTarget::Sliding { half_opening: x.clone() }))
+    limit("mu-to-zero", "friction", |x| sliding(x.clone()))
         .of_small_openings()
         .told("pure sliding of a tiny half opening: mu falls like alpha^3/12"),
     limit("alpha-to-pi", "friction", |x| {
         // pi to far more places than the distance has.
         let places = 60 + 4 * x.denom().significant_bits();
         let pi = Float::with_val(places, rug::float::Constant::Pi).to_rational()?;
-        Some(LimitTarget::Sliding { half_opening: pi - x })
+        sliding(pi - x)
     })
     .told("pure sliding towards the full circle: mu grows without bound"),
     limit("next-to-T", "thickness", |x| {

@@ -6,27 +6,6 @@
 
 use crate::arch::SelfWeight;
 
-/// `a + b h` as a line.
-type MomentBound = (f64, f64);
-
-fn lines(
-    weight: SelfWeight,
-    alpha: f64,
-    eta: f64,
-    joints: usize,
-) -> (Vec<MomentBound>, Vec<MomentBound>) {
-    let fac = 1.0 + f64::from(weight.flag()) * eta * eta / 12.0;
-    let joint = |i: usize| alpha * i as f64 / joints as f64;
-    let (mut upper, mut lower) = (Vec::new(), Vec::new());
-    for beta in (0..=joints).map(joint) {
-        let (normal, moment) = ((beta * beta.sin(), beta.cos()), fac * (1.0 - beta.cos()));
-        let bound = |radius: f64| (radius * normal.0 - moment, radius * normal.1);
-        upper.push(bound(1.0 + eta / 2.0));
-        lower.push(bound(1.0 - eta / 2.0));
-    }
-    (upper, lower)
-}
-
 /// The range of thrusts that friction allows at all joints.
 fn thrusts(alpha: f64, mu: f64, joints: usize) -> Option<(f64, f64)> {
     let (mut low, mut high) = (0.0f64, 1e3f64);
@@ -52,9 +31,18 @@ fn thrusts(alpha: f64, mu: f64, joints: usize) -> Option<(f64, f64)> {
 /// The margin between the lowest upper and the highest lower bound of the crown moment, by the thrust: a concave
 /// function.
 fn margins(weight: SelfWeight, alpha: f64, eta: f64, joints: usize) -> impl Fn(f64) -> f64 {
-    let (upper, lower) = lines(weight, alpha, eta, joints);
+    let fac = 1.0 + f64::from(weight.flag()) * eta * eta / 12.0;
+    let joint = |i: usize| alpha * i as f64 / joints as f64;
+    // Each bound is a line a + b h.
+    let (mut upper, mut lower) = (Vec::new(), Vec::new());
+    for beta in (0..=joints).map(joint) {
+        let (normal, moment) = ((beta * beta.sin(), beta.cos()), fac * (1.0 - beta.cos()));
+        let bound = |radius: f64| (radius * normal.0 - moment, radius * normal.1);
+        upper.push(bound(1.0 + eta / 2.0));
+        lower.push(bound(1.0 - eta / 2.0));
+    }
     move |h| {
-        let at = |(a, b): &MomentBound| a + b * h;
+        let at = |(a, b): &(f64, f64)| a + b * h;
         let top = upper.iter().map(at).fold(f64::INFINITY, f64::min);
         top - lower.iter().map(at).fold(f64::NEG_INFINITY, f64::max)
     }

@@ -1,6 +1,7 @@
 //! A problem next to a limit: its certified value, its condition, and where a search starts.
 
 use super::Task;
+use super::cases::arch;
 use super::closed::{ClosedForm, RootBranch, trigonometric_at};
 use super::condition::condition;
 use super::enclosure::enclose_at;
@@ -9,8 +10,7 @@ use crate::arch::small::Scaled;
 use crate::arch::{SelfWeight, Unknown, overturning};
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::{Certify, Outcome, State};
-use crate::number::{Ball, Dual, ExactNumber, Real};
-use crate::problem::{Arch, Friction};
+use crate::number::{Ball, Dual, Real};
 use crate::problem::{Landmark, Mode};
 use crate::solve::{settle, start};
 use rug::{Float, Rational};
@@ -20,10 +20,8 @@ pub(super) const WEIGHT: SelfWeight = SelfWeight::Milankovitch;
 /// A problem on a rung, and which of its unknowns is looked at.
 #[derive(Clone, Debug)]
 pub(super) enum LimitTarget {
-    /// A state.
+    /// A state; that of pure sliding is asked for its friction.
     State { mode: Mode, half_opening: Rational, friction: Option<Rational>, output: Unknown },
-    /// The friction of pure sliding.
-    Sliding { half_opening: Rational },
     /// The thin root of the cubic in `eta`.
     Closed { joint: Rational },
     /// (15) at `A = 2/3 +` the distance.
@@ -44,6 +42,10 @@ pub(super) fn rotational(half_opening: Rational, output: Unknown) -> Option<Limi
     state_target(Mode::Rotational, half_opening, None, output)
 }
 
+pub(super) fn sliding(half_opening: Rational) -> Option<LimitTarget> {
+    state_target(Mode::Sliding, half_opening, None, Unknown::Friction)
+}
+
 /// A variable of a landmark, to many places, less a distance.
 pub(super) fn before(
     landmark: Landmark,
@@ -54,15 +56,9 @@ pub(super) fn before(
     Some(refined.value(unknown)?.mid().to_rational()? - distance)
 }
 
-fn arch(half_opening: &Rational, friction: Option<&Rational>) -> Option<Arch> {
-    let friction =
-        friction.map_or(Friction::Infinite, |mu| Friction::Coefficient(ExactNumber::from(mu)));
-    Arch::new(WEIGHT, ExactNumber::from(half_opening), friction).ok()
-}
-
 /// The state of an arch that stands, far beyond what is measured.
 pub(super) fn reference(half_opening: &Rational, friction: Option<&Rational>) -> Option<State> {
-    standing(arch(half_opening, friction)?.state(1024).ok()?)
+    standing(arch(WEIGHT, half_opening, friction)?.state(1024).ok()?)
 }
 
 fn standing(outcome: Outcome) -> Option<State> {
@@ -73,12 +69,14 @@ impl LimitTarget {
     /// The output in a certified enclosure, computed with `bits` bits; `None` if it is not proved.
     pub(super) fn enclosure(&self, bits: u32) -> Option<Ball> {
         match self {
+            Self::State { mode: Mode::Sliding, half_opening, .. } => {
+                arch(WEIGHT, half_opening, None)?.sliding_friction(bits).ok()
+            }
             Self::State { half_opening, friction, output, mode } => {
-                let arch = arch(half_opening, friction.as_ref())?;
+                let arch = arch(WEIGHT, half_opening, friction.as_ref())?;
                 let state = standing(arch.state_alone(bits).ok()?)?;
                 state.value(*output).filter(|_| state.mode == *mode).cloned()
             }
-            Self::Sliding { half_opening } => arch(half_opening, None)?.sliding_friction(bits).ok(),
             Self::Closed { joint } => {
                 let centre = thin_root(joint, bits);
                 Some(enclose_at::<Ball>(&self.problem()?, &[centre], bits)?.swap_remove(0))
@@ -89,18 +87,15 @@ impl LimitTarget {
 
     /// The equations as a problem for the methods of others.
     pub(super) fn problem(&self) -> Option<Task> {
-        let state = |mode, half_opening: &Rational, friction| {
-            let (weight, half_opening) = (WEIGHT, half_opening.clone());
-            Task::State { weight, mode, half_opening, friction }
-        };
+        let weight = WEIGHT;
         Some(match self {
             Self::State { mode, half_opening, friction, .. } => {
-                state(*mode, half_opening, friction.clone().unwrap_or_default())
+                let (half_opening, friction) = (half_opening.clone(), friction.clone());
+                let friction = friction.unwrap_or_default();
+                Task::State { weight, mode: *mode, half_opening, friction }
             }
-            Self::Sliding { half_opening } => state(Mode::Sliding, half_opening, Rational::new()),
             Self::Closed { joint } => {
-                let (form, weight) = (ClosedForm::Thickness, WEIGHT);
-                Task::Cubic { form, weight, joint: joint.clone() }
+                Task::Cubic { form: ClosedForm::Thickness, weight, joint: joint.clone() }
             }
             Self::Overturning { .. } => return None,
         })
@@ -121,6 +116,9 @@ impl LimitTarget {
             Self::State { mode: Mode::Rotational, half_opening, .. } => {
                 start::rotational(WEIGHT, &number(half_opening)).to_vec()
             }
+            Self::State { mode: Mode::Sliding, half_opening, .. } => {
+                start::sliding(&number(half_opening)).to_vec()
+            }
             Self::State { mode, half_opening, friction, .. } => {
                 // Next to the certified state: what is measured is the last digits.
                 let state = reference(half_opening, friction.as_ref())?;
@@ -129,7 +127,6 @@ impl LimitTarget {
                 let values: Option<Vec<Float>> = unknowns.map(value).collect();
                 values?.iter().map(|x| Float::with_val(bits, x) * 1.0001f64).collect()
             }
-            Self::Sliding { half_opening } => start::sliding(&number(half_opening)).to_vec(),
             Self::Closed { joint } => vec![thin_root(joint, bits)],
             Self::Overturning { .. } => return None,
         })
@@ -151,12 +148,10 @@ impl LimitTarget {
 
     /// The output by Newton's method on the equations in scaled variables, in numbers of `bits` bits.
     pub(super) fn scaled(&self, bits: u32) -> Option<Float> {
-        let (mode, half_opening) = match self {
-            Self::State { mode: Mode::Rotational, half_opening, .. } => {
-                (Mode::Rotational, half_opening)
-            }
-            Self::Sliding { half_opening } => (Mode::Sliding, half_opening),
-            _ => return None,
+        let Self::State { mode: mode @ (Mode::Rotational | Mode::Sliding), half_opening, .. } =
+            self
+        else {
+            return None;
         };
         let system = mode.system(WEIGHT);
         let alpha = Float::with_val(bits, half_opening);
