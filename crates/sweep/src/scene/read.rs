@@ -83,14 +83,13 @@ fn tables<'v>(
     tables
 }
 
-/// An item; `used` counts the arches of all items.
+/// An item, whatever faults it has, which the file tells; `used` counts the arches of all items.
 fn item(
     mut table: TableReader,
     kind: ItemKind,
     files: &mut OutputFiles,
     used: &mut usize,
 ) -> Option<SceneItem> {
-    let before = table.reader.faults.len();
     let name = format!("[[{}]]", kind.name());
     table.reader.unknown_keys(table.table, &name, &kind.keys());
     let destination = output(&mut table, kind, files);
@@ -108,8 +107,7 @@ fn item(
     let print = if is_drawn { print(&mut table, format) } else { Some(Print::default()) };
     let ((output, format), print) = (destination?, print?);
     let place = table.reader.source.place(table.span.start);
-    let item = SceneItem { place, kind, what: what?, format, print, output };
-    table.is_well_since(before).then_some(item)
+    Some(SceneItem { place, kind, what: what?, format, print, output })
 }
 
 fn constants(table: &mut TableReader) -> Option<Request> {

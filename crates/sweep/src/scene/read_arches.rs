@@ -29,7 +29,6 @@ pub(super) fn arches(
     format: Option<&'static Format>,
     used: &mut usize,
 ) -> Option<Request> {
-    let before = table.reader.faults.len();
     let ranges = Field::ALL.iter().filter_map(|of| table.given_field(*of)).any(is_ranged);
     if ranges {
         is_written(table, format);
@@ -44,15 +43,12 @@ pub(super) fn arches(
     let usual = if ranges { table.reader.range_digits } else { table.reader.digits };
     let digits = table.digits(usual);
     let (weights, axes, quantities, digits) = (weights?, axes?, quantities?, digits?);
-    let request = match ranges {
-        true => surveys(table, axes, &weights, (quantities, digits), used)?,
-        false => {
-            let asked = product(table, axes, weights.len(), used)?;
-            let arches = all(table, &asked, &weights, measured);
-            Request::Arches { arches, quantities, with_thickness, digits }
-        }
-    };
-    table.is_well_since(before).then_some(request)
+    if ranges {
+        return surveys(table, axes, &weights, (quantities, digits), used);
+    }
+    let asked = product(table, axes, weights.len(), used)?;
+    let arches = all(table, &asked, &weights, measured);
+    Some(Request::Arches { arches, quantities, with_thickness, digits })
 }
 
 /// Quantities that may be asked of arches that have these fields.

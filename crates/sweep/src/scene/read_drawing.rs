@@ -14,7 +14,6 @@ use toml::de::DeValue;
 
 /// An arch at its least thickness, at a landmark, or as it stands.
 pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) -> Option<Request> {
-    let before = table.reader.faults.len();
     // All that is wrong is told at once.
     let [dilatant, half, arrows, animate] =
         ["dilatant", "half", "arrows", "animate"].map(|key| table.truth(key));
@@ -66,8 +65,7 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     said.extend(mode.map(|mode| ("mode", vec![mode.label().to_owned()])));
     let command = table.command("couplet draw".to_owned(), ItemKind::Drawing, &said);
     let arches = vec![(drawn, mode.into_iter().collect())];
-    let drawing = Request::Drawing(SceneDrawing { arches, style, measures, command });
-    table.is_well_since(before).then_some(drawing)
+    Some(Request::Drawing(SceneDrawing { arches, style, measures, command }))
 }
 
 /// Reads the pose in which an arch is drawn, with its sizes if it is in metres.
