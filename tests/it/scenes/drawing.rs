@@ -55,7 +55,7 @@ fn an_arch_is_computed_once() {
     };
     let drawn = |all: &[String]| {
         let scene = read(&format!("{HEAD}{}", all.concat())).unwrap();
-        Plan::new(&scene, vec![false; all.len()]).parts.len()
+        Plan::new(&scene, vec![false; all.len()]).sizes().len()
     };
     let one = || arch("1.5", "");
     assert_eq!(drawn(&[one(), arch("\"3/2\"", "half = true")]), 1);

@@ -37,7 +37,7 @@ fn a_scene_writes_what_the_commands_write() {
 fn a_picture_says_which_command_draws_it() {
     let scene = read(&format!("{HEAD}[[figure]]\nnumber = 3\ntolerance = 1e-2\n")).unwrap();
     let plan = Plan::new(&scene, vec![false]);
-    assert_eq!(plan.parts.len(), 24, "all curves of both weights");
+    assert_eq!(plan.sizes().len(), 24, "all curves of both weights");
     let mut picture = Vec::new();
     let mut items = SceneRun::new(&plan);
     items.item(0, &|| ()).write(&mut picture).unwrap();

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 /// An arch and what is asked of it.
 #[derive(Debug)]
-pub struct ArchNode<'s> {
+pub(super) struct ArchNode<'s> {
     /// The arch.
     pub arch: &'s Arch,
     /// The digits in which its state is asked for, and whether with the frictions at which the mode
@@ -64,7 +64,7 @@ impl<'s> ArchNode<'s> {
     }
 
     /// Tells whether the frictions at which the mode changes are asked for.
-    pub fn frictions(&self) -> bool {
+    pub(super) fn frictions(&self) -> bool {
         self.states.values().any(|frictions| *frictions)
     }
 

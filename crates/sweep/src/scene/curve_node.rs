@@ -9,7 +9,7 @@ use std::fmt;
 
 /// A line of the map.
 #[derive(Debug)]
-pub struct CurveNode {
+pub(super) struct CurveNode {
     /// Line of the map.
     pub line: MapLine,
     /// The self-weight model.

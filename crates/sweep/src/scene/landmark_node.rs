@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// A landmark and what is asked of it.
 #[derive(Debug)]
-pub struct LandmarkNode {
+pub(super) struct LandmarkNode {
     /// The landmark.
     pub landmark: Landmark,
     /// The self-weight model.

@@ -67,9 +67,7 @@ mod table;
 mod value;
 mod work;
 
-pub use arch_node::ArchNode;
 pub use cost::Cost;
-pub use curve_node::CurveNode;
 pub use drawn::{DrawnArch, Pose};
 pub use explain::explain;
 pub use fault::{Fault, Position};
@@ -78,11 +76,10 @@ pub use hash::Hashing;
 #[cfg(feature = "parquet")]
 pub(crate) use hash::hash_of;
 pub use item_report::ItemReport;
-pub use landmark_node::LandmarkNode;
 #[cfg(feature = "parquet")]
 pub(crate) use manifest::{MAX_RECORD, content_of, record_bytes};
 pub use manifest::{Manifest, NAME as MANIFEST};
-pub use plan::{Plan, PlannedPart};
+pub use plan::Plan;
 pub use read::{read, read_bytes};
 pub use read_sweep::read_sweep;
 pub use run::{Costs, SceneRun, answered};
@@ -92,8 +89,6 @@ pub use schema::{
     EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, Request, SCHEMA, Scene, SceneArch,
     SceneBoxes, SceneDrawing, SceneItem, SceneSurvey,
 };
-pub use survey_node::SurveyNode;
 #[cfg(feature = "parquet")]
 pub(crate) use sweep::{MAX_CHUNK, MAX_SAMPLE};
 pub use sweep::{SWEEP_DIGITS, SWEEP_EXAMPLE, SWEEP_SCHEMA, SweepArches, SweepPlan};
-pub use work::Work;

@@ -19,16 +19,16 @@ pub struct Plan<'s> {
     /// Flags of the items whose output is complete, so that nothing is computed for it.
     pub complete: Vec<bool>,
     /// Parts that are computed, each once.
-    pub parts: Vec<PlannedPart<'s>>,
+    pub(super) parts: Vec<PlannedPart<'s>>,
     /// For each item, the places of the parts that it takes.
-    pub needs: Vec<Vec<usize>>,
+    pub(super) needs: Vec<Vec<usize>>,
     /// The places of the parts, by kind and key.
     places: HashMap<(&'static str, String), usize>,
 }
 
 /// A part of the work, and who takes it.
 #[derive(Debug)]
-pub struct PlannedPart<'s> {
+pub(super) struct PlannedPart<'s> {
     /// The work of this part.
     pub work: Work<'s>,
     /// The first item that takes it, for which it is computed.

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// All arches between two ends, and what is told of them.
 #[derive(Clone, Copy, Debug)]
-pub struct SurveyNode<'s> {
+pub(super) struct SurveyNode<'s> {
     /// The arches.
     pub survey: &'s SceneSurvey,
     /// Columns, if the arches are a box of which the cells of a table are told.

@@ -10,7 +10,7 @@ use crate::claims::Claim;
 
 /// A piece of work.
 #[derive(Debug)]
-pub enum Work<'s> {
+pub(super) enum Work<'s> {
     /// A landmark.
     Landmark(LandmarkNode),
     /// An arch.
