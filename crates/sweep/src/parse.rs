@@ -7,9 +7,8 @@ use crate::check::{self, Engine};
 use crate::claims::{Claim, claims};
 use crate::number::{Ball, ExactNumber};
 use crate::problem::{Arch, Landmark, Mode, NoLandmark, Quantity};
-use crate::report::words::{did_you_mean, list, shortened};
+use crate::report::words::{did_you_mean, distinct, list, shortened};
 use crate::report::{Content, Format};
-use std::collections::HashSet;
 
 /// A name that is not known: what the names are, and the one that was perhaps meant.
 pub fn unknown(kind: &str, written: &str, names: &[&str]) -> String {
@@ -75,9 +74,7 @@ pub fn quantity(text: &str) -> Result<Quantity, String> {
     use Quantity as Q;
     let measured = [&Q::MEASURED_STATE[..], &Q::MEASURED_ASSESSMENT].concat();
     let all = [&Q::LANDMARK[..], &Q::STATE, &Q::ASSESSMENT, &measured].concat();
-    let mut seen = HashSet::new();
-    let names = all.into_iter().map(Q::name).filter(|name| seen.insert(*name));
-    let names: Vec<&str> = names.collect();
+    let names = distinct(all.into_iter().map(Q::name));
     Quantity::named(text).ok_or_else(|| unknown("a quantity", text, &names))
 }
 

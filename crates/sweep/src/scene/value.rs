@@ -37,9 +37,7 @@ impl<'s> TomlReader<'s> {
         schema: &str,
         read: impl FnOnce(&mut Self, &DeTable) -> Option<T>,
     ) -> Result<(T, Vec<Fault>), Vec<Fault>> {
-        let text =
-            str::from_utf8(bytes).or_else(|error| str::from_utf8(&bytes[..error.valid_up_to()]));
-        let text = text.unwrap_or_default();
+        let text = bytes.utf8_chunks().next().map_or("", |first| first.valid());
         let mut reader = Self {
             source: SceneText::new(text),
             faults: Vec::new(),
