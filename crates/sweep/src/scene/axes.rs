@@ -88,9 +88,10 @@ fn axis(
     if let DeValue::Table(parts) = value.get_ref() {
         return range(reader, field, value, parts, allowed);
     }
-    let texts = reader.each_once(field.name(), value, example(field), |reader, element| {
-        text(reader, field, element, allowed)
-    })?;
+    let texts =
+        reader.each_once((field.name(), value), example(field), |reader, (_, element)| {
+            text(reader, field, element, allowed)
+        })?;
     Some(ArchAxis { field, count: texts.len(), texts: Box::new(texts.into_iter()), whole: None })
 }
 
@@ -122,7 +123,7 @@ fn range(
     let one = Allowed { ranges: false, ..allowed };
     let mut end = |key: &str| Some(text(reader, field, parts.get(key)?, one)?.1);
     let (lower, upper) = (end("from"), end("to"));
-    let count = parts.get(key).and_then(|of| reader.whole(key, of, least..=MAX_ARCHES));
+    let count = parts.get(key).and_then(|of| reader.whole((key, of), least..=MAX_ARCHES));
     let (of, count) = (Range { lower: lower?, upper: upper? }, count?);
     if reader.faults.len() > before {
         return None;
@@ -148,7 +149,7 @@ fn text(
     allowed: Allowed,
 ) -> Option<(String, String)> {
     let Some(text) = TomlReader::literal(value) else {
-        return reader.reject(field.name(), value, example(field));
+        return reader.reject((field.name(), value), example(field));
     };
     let text = text.strip_prefix('+').unwrap_or(text).to_owned();
     let read = || -> Result<String, Misfit> {

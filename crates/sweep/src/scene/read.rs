@@ -11,7 +11,7 @@ use super::schema::{
     DIGITS, ItemKind, MAX_ITEMS, RANGE_DIGITS, Request, SCENE_KEYS, SCHEMA, Scene, SceneItem,
 };
 use super::table::TableReader;
-use super::value::{TomlReader, TomlValue};
+use super::value::{Entry, TomlReader};
 use crate::arch::SelfWeight;
 use crate::certify::quantities as quantities_of;
 use crate::claims::{Claim, claims};
@@ -70,11 +70,11 @@ fn tables<'v>(
     for kind in ItemKind::ALL {
         let Some(value) = root.get(kind.name()) else { continue };
         let allowed = format!("[[{}]]", kind.name());
-        for element in reader.elements(kind.name(), value, &allowed) {
+        for element in reader.elements((kind.name(), value), &allowed) {
             match element.get_ref() {
                 DeValue::Table(table) => tables.push((kind, element.span(), table)),
                 _ => {
-                    reader.reject::<()>(kind.name(), element, &format!("a table {allowed}"));
+                    reader.reject::<()>((kind.name(), element), &format!("a table {allowed}"));
                 }
             }
         }
@@ -140,17 +140,17 @@ fn some_claims(table: &mut TableReader) -> Option<Request> {
     Some(Request::Claims { claims: claims?, show: show? })
 }
 
-fn chosen(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Claim>> {
+fn chosen(reader: &mut TomlReader, at: Entry) -> Option<Vec<Claim>> {
     let allowed = "ids of claims, or leave it out for all";
-    let names = reader.each_once(key, value, allowed, |reader, element| {
-        let name = element.get_ref().as_str().unwrap_or_default().to_owned();
+    let names = reader.each_once(at, allowed, |reader, at| {
+        let name = at.1.get_ref().as_str().unwrap_or_default().to_owned();
         if claims_named(std::slice::from_ref(&name)).is_ok() {
             return Some((name.clone(), name));
         }
         let ids: Vec<&str> = claims().iter().map(|claim| claim.id).collect();
         let allowed =
             format!("a claim{}; couplet prove --list shows the claims", did_you_mean(&name, &ids));
-        reader.reject(key, element, &allowed)
+        reader.reject(at, &allowed)
     })?;
     claims_named(&names).ok()
 }

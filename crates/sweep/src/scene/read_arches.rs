@@ -160,7 +160,7 @@ fn quantities(table: &mut TableReader, all: &[Quantity]) -> Option<Vec<Quantity>
 /// Tells whether quantities of arches of given thickness are asked for: then that is what is missing.
 fn needs_thickness(reader: &mut TomlReader, value: &TomlValue) -> bool {
     let before = reader.faults.len();
-    for element in reader.elements("quantities", value, "names of quantities") {
+    for element in reader.elements(("quantities", value), "names of quantities") {
         let name = element.get_ref().as_str().unwrap_or_default();
         if Quantity::ASSESSMENT.iter().any(|quantity| quantity.name() == name) {
             let allowed = example(Field::Thickness);

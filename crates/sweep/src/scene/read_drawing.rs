@@ -4,7 +4,7 @@ use super::axes::{axes, example, given, is_measured, product};
 use super::drawn::{DrawnArch, Pose};
 use super::schema::{ItemKind, Request, SceneDrawing};
 use super::table::TableReader;
-use super::value::{TomlReader, TomlValue};
+use super::value::{Entry, TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchGiven, ArchQuestion, Field, Spelling};
 use crate::problem::Mode;
@@ -17,13 +17,13 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     // All that is wrong is told at once.
     let [dilatant, half, arrows, animate] =
         ["dilatant", "half", "arrows", "animate"].map(|key| table.truth(key));
-    let amplitude = table.or("amplitude", Style::default().amplitude, |reader, key, value| {
+    let amplitude = table.or("amplitude", Style::default().amplitude, |reader, at| {
         let (least, most) = Style::AMPLITUDES.into_inner();
-        reader.double(key, value, (Style::AMPLITUDES, &format!("{least} to {most}")))
+        reader.double(at, (Style::AMPLITUDES, &format!("{least} to {most}")))
     });
-    let stones = table.if_given("stones", |reader, key, value| {
+    let stones = table.if_given("stones", |reader, at| {
         let (least, most) = Style::STONES.into_inner();
-        reader.whole(key, value, least as usize..=most as usize).map(|stones| stones as u64)
+        reader.whole(at, least as usize..=most as usize).map(|stones| stones as u64)
     });
     let mode = table.if_given("mode", mode);
     let weight = match table.weights(&[SelfWeight::Milankovitch]).as_deref() {
@@ -90,7 +90,7 @@ fn pose(
         return match table.landmarks("at")?[..] {
             [landmark] if is_alone => Some((None, Pose::Landmark(landmark, weight))),
             [_] => None,
-            _ => table.reader.reject("at", value, "one of them: a drawing shows one arch"),
+            _ => table.reader.reject(("at", value), "one of them: a drawing shows one arch"),
         };
     }
     if !has(&[Field::HalfOpening]) && !measured {
@@ -104,7 +104,7 @@ fn pose(
     }
     if let Some((field, value)) = fields.iter().find(|(_, value)| is_several(value)) {
         let one = "one value: a drawing shows one arch";
-        return table.reader.reject(field.name(), value, one);
+        return table.reader.reject((field.name(), value), one);
     }
     // Without a friction of its own an arch slides at the one at which it does.
     let slides = mode == Some(Mode::Sliding) && has(&[Field::Thickness]) && !has_friction;
@@ -126,6 +126,6 @@ fn is_several(value: &TomlValue) -> bool {
     }
 }
 
-fn mode(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Mode> {
-    reader.one_named(key, value, &Mode::ALL.map(Mode::label), Mode::named)
+fn mode(reader: &mut TomlReader, at: Entry) -> Option<Mode> {
+    reader.one_named(at, &Mode::ALL.map(Mode::label), Mode::named)
 }

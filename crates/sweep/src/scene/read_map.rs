@@ -5,7 +5,7 @@ use super::figure::{TOLERANCE, figure, in_order, weight_word};
 use super::scene_map::SceneMap;
 use super::schema::{ItemKind, MAX_ITEMS, Request};
 use super::table::TableReader;
-use super::value::{TomlReader, TomlValue};
+use super::value::{Entry, TomlReader};
 use crate::arch::SelfWeight;
 use crate::ask::Misfit;
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
@@ -54,7 +54,7 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
 /// A figure of the paper.
 pub(super) fn read_figure(table: &mut TableReader) -> Option<Request> {
     let number = match table.get("number") {
-        Some(value) => table.reader.whole("number", value, 1..=12),
+        Some(value) => table.reader.whole(("number", value), 1..=12),
         None => table.refuse("number is missing; a figure is one of 1 to 12"),
     };
     let weights = table.if_given("weight", TomlReader::weights);
@@ -84,11 +84,8 @@ const AXES: [(&str, &str, &[&str]); 3] = [
 fn axes(table: &mut TableReader) -> Option<Axes> {
     let mut shown = |(unit, range, units): (&str, &str, &[&str])| {
         let named = |name: &str| units.contains(&name).then(|| Unit::named(name));
-        let unit = table.or(unit, Unit::Usual, |reader, key, value| {
-            reader.one_named(key, value, units, named)
-        })?;
-        let range =
-            table.if_given(range, |reader, key, value| reader.said(key, value, Shown::range_of))?;
+        let unit = table.or(unit, Unit::Usual, |reader, at| reader.one_named(at, units, named))?;
+        let range = table.if_given(range, |reader, at| reader.said(at, Shown::range_of))?;
         Some(Shown { unit, range })
     };
     let [half_opening, friction, thickness] = AXES.map(&mut shown);
@@ -96,22 +93,22 @@ fn axes(table: &mut TableReader) -> Option<Axes> {
 }
 
 /// The arches to mark.
-fn marks(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Marked>> {
+fn marks(reader: &mut TomlReader, at: Entry) -> Option<Vec<Marked>> {
     let allowed = "an arch as \"80deg,0.6,0.15\"";
-    reader.each_once(key, value, allowed, |reader, element| {
-        let marked = reader.said(key, element, str::parse::<Marked>)?;
-        Some((element.get_ref().as_str(), marked))
+    reader.each_once(at, allowed, |reader, at| {
+        let marked = reader.said(at, str::parse::<Marked>)?;
+        Some((at.1.get_ref().as_str(), marked))
     })
 }
 
-fn plane(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Plane> {
-    reader.one_named(key, value, &Plane::ALL.map(Plane::name), Plane::named)
+fn plane(reader: &mut TomlReader, at: Entry) -> Option<Plane> {
+    reader.one_named(at, &Plane::ALL.map(Plane::name), Plane::named)
 }
 
-fn curves(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Curve>> {
+fn curves(reader: &mut TomlReader, at: Entry) -> Option<Vec<Curve>> {
     let names: Vec<String> = Curve::ALL.iter().map(ToString::to_string).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    reader.named(key, value, &names, Curve::named)
+    reader.named(at, &names, Curve::named)
 }
 
 /// Key for an option of the command.
@@ -144,7 +141,7 @@ fn contours(table: &mut TableReader) -> Option<Vec<Contour>> {
 }
 
 /// The largest half-width of a tube.
-fn tolerance(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<f64> {
+fn tolerance(reader: &mut TomlReader, at: Entry) -> Option<f64> {
     let allowed = format!("{LEAST_TOLERANCE:e} to 1");
-    reader.double(key, value, (LEAST_TOLERANCE..=1.0, &allowed))
+    reader.double(at, (LEAST_TOLERANCE..=1.0, &allowed))
 }

@@ -32,7 +32,7 @@ pub(super) fn output(
         reader.fault(value.span(), message);
     }
     if let (true, None, Some(value)) = (format.is_binary, output, named) {
-        reader.reject::<()>("format", value, "text; give it an output");
+        reader.reject::<()>(("format", value), "text; give it an output");
     }
     (reader.faults.len() == before).then_some((path, format))
 }
@@ -42,7 +42,7 @@ fn format(reader: &mut TomlReader, kind: ItemKind, value: &TomlValue) -> Option<
     let name = value.get_ref().as_str().unwrap_or_default();
     Format::named(kind.content(), name).or_else(|| {
         let names = Format::names(kind.content());
-        reader.reject("format", value, &format!("one of {names}"))
+        reader.reject(("format", value), &format!("one of {names}"))
     })
 }
 
@@ -67,7 +67,7 @@ fn format_of(
 }
 
 fn file(reader: &mut TomlReader, value: &TomlValue, files: &mut OutputFiles) -> Option<PathBuf> {
-    let text = reader.text("output", value)?;
+    let text = reader.text(("output", value))?;
     let all = || Path::new(text).components();
     let path: PathBuf = all().filter(|part| matches!(part, Component::Normal(_))).collect();
     let is_file = !text.ends_with(['/', '\\'])
@@ -76,7 +76,7 @@ fn file(reader: &mut TomlReader, value: &TomlValue, files: &mut OutputFiles) -> 
         && !path.as_os_str().is_empty();
     if !is_file {
         let allowed = "a file inside the folder of outputs (a relative path without ..)";
-        return reader.reject("output", value, allowed);
+        return reader.reject(("output", value), allowed);
     }
     // On some file systems names that differ in case are one.
     let key = PathBuf::from(path.to_string_lossy().to_lowercase());

@@ -7,10 +7,10 @@ use crate::report::Format;
 
 /// Printing of a picture; keys of it in an item that is none are a fault.
 pub(super) fn print(table: &mut TableReader, format: Option<&'static Format>) -> Option<Print> {
-    let width = table.if_given("width", |r, key, value| r.said(key, value, PaperLength::width));
+    let width = table.if_given("width", |reader, at| reader.said(at, PaperLength::width));
     let font_size =
-        table.if_given("font_size", |r, key, value| r.said(key, value, PaperLength::font_size));
-    let font = table.if_given("font", |r, key, value| r.said(key, value, str::parse::<Font>));
+        table.if_given("font_size", |reader, at| reader.said(at, PaperLength::font_size));
+    let font = table.if_given("font", |reader, at| reader.said(at, str::parse::<Font>));
     let [caption, title] = ["caption", "title"].map(|key| table.or(key, true, TomlReader::truth));
     let details = table.or("full_caption", false, TomlReader::truth)?;
     let (width, font_size, font) = (width?, font_size?, font?);

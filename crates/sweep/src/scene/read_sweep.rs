@@ -4,7 +4,7 @@ use super::axes::axes;
 use super::fault::Fault;
 use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
 use super::table::TableReader;
-use super::value::{TomlReader, TomlValue};
+use super::value::{Entry, TomlReader};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchGiven, ArchQuestion};
 use crate::certify::MAX_DIGITS;
@@ -30,11 +30,9 @@ fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
         None => Some(vec![Quantity::Thickness]),
         Some(_) => table.quantities(&Quantity::STATE_ROW),
     };
-    let digits = table.or("digits", SWEEP_DIGITS, |reader, key, value| {
-        reader.whole(key, value, SWEEP_DIGITS..=MAX_DIGITS)
-    });
-    let chunk =
-        table.if_given("chunk", |reader, key, value| reader.whole(key, value, 1..=MAX_CHUNK));
+    let digits =
+        table.or("digits", SWEEP_DIGITS, |reader, at| reader.whole(at, SWEEP_DIGITS..=MAX_DIGITS));
+    let chunk = table.if_given("chunk", |reader, at| reader.whole(at, 1..=MAX_CHUNK));
     let (kind, arches) = arches(&mut table)?;
     let given = given?;
     table.span = table.get("weight").map_or(0..0, |value| value.span());
@@ -68,7 +66,7 @@ fn arches(plan: &mut TableReader) -> Option<(&'static str, Option<SweepArches>)>
         }
     };
     let DeValue::Table(table) = value.get_ref() else {
-        return plan.reader.reject(kind, value, &format!("a table [{kind}]"));
+        return plan.reader.reject((kind, value), &format!("a table [{kind}]"));
     };
     let mut table = TableReader { reader: plan.reader, span: value.span(), table };
     let arches = match kind {
@@ -97,11 +95,10 @@ fn grid(table: &mut TableReader) -> Option<SweepArches> {
 fn sample(table: &mut TableReader) -> Option<SweepArches> {
     table.reader.unknown_keys(table.table, "[sample]", &["count", "seed", "hard"]);
     let count = match table.get("count") {
-        Some(value) => table.reader.whole("count", value, 1..=MAX_SAMPLE),
+        Some(value) => table.reader.whole(("count", value), 1..=MAX_SAMPLE),
         None => table.refuse("count is missing; give a whole number"),
     };
-    let seed =
-        table.or("seed", 1, |reader, key, value| reader.whole(key, value, 0..=usize::MAX >> 1));
+    let seed = table.or("seed", 1, |reader, at| reader.whole(at, 0..=usize::MAX >> 1));
     let hard = table.truth("hard");
     Some(SweepArches::Sample { count: count?, seed: seed? as u64, hard: hard? })
 }
@@ -111,18 +108,15 @@ fn data(table: &mut TableReader) -> Option<SweepArches> {
     let Some(value) = table.get("files") else {
         return table.refuse("files is missing; give paths, as \"arches.csv\"");
     };
-    let read = |reader: &mut TomlReader, element| {
-        let path = path(reader, element)?;
-        Some((path.clone(), path))
-    };
-    let files = table.reader.each_once("files", value, "paths of files", read);
+    let read = |reader: &mut TomlReader, at| path(reader, at).map(|path| (path.clone(), path));
+    let files = table.reader.each_once(("files", value), "paths of files", read);
     files.map(|files| SweepArches::Data { files })
 }
 
-fn path(reader: &mut TomlReader, element: &TomlValue) -> Option<String> {
-    let text = reader.text("files", element)?;
+fn path(reader: &mut TomlReader, at: Entry) -> Option<String> {
+    let text = reader.text(at)?;
     match text.is_empty() || text.contains(char::is_control) {
-        true => reader.reject("files", element, "the path of a file"),
+        true => reader.reject(at, "the path of a file"),
         false => Some(text.to_owned()),
     }
 }

@@ -1,7 +1,7 @@
 //! A table of TOML that is read key by key.
 
 use super::schema::ItemKind;
-use super::value::{TomlReader, TomlValue};
+use super::value::{Entry, TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{Field, Misfit, notes, quoted};
 use crate::certify::MAX_DIGITS;
@@ -34,10 +34,10 @@ impl<'a, 's> TableReader<'a, 's> {
         &mut self,
         key: &str,
         usual: T,
-        read: impl FnOnce(&mut TomlReader<'s>, &str, &TomlValue) -> Option<T>,
+        read: impl FnOnce(&mut TomlReader<'s>, Entry) -> Option<T>,
     ) -> Option<T> {
         match self.get(key) {
-            Some(value) => read(self.reader, key, value),
+            Some(value) => read(self.reader, (key, value)),
             None => Some(usual),
         }
     }
@@ -46,9 +46,9 @@ impl<'a, 's> TableReader<'a, 's> {
     pub(super) fn if_given<T>(
         &mut self,
         key: &str,
-        read: impl FnOnce(&mut TomlReader<'s>, &str, &TomlValue) -> Option<T>,
+        read: impl FnOnce(&mut TomlReader<'s>, Entry) -> Option<T>,
     ) -> Option<Option<T>> {
-        self.or(key, None, |reader, key, value| read(reader, key, value).map(Some))
+        self.or(key, None, |reader, at| read(reader, at).map(Some))
     }
 
     /// True if the table says so under a key.
@@ -64,7 +64,7 @@ impl<'a, 's> TableReader<'a, 's> {
 
     /// Significant digits, so many where nothing is said.
     pub(super) fn digits(&mut self, usual: usize) -> Option<usize> {
-        self.or("digits", usual, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS))
+        self.or("digits", usual, |reader, at| reader.whole(at, 1..=MAX_DIGITS))
     }
 
     /// Members of a list that a key names, all without it, in the order of the list.
@@ -75,8 +75,7 @@ impl<'a, 's> TableReader<'a, 's> {
         names: &[&str],
         find: impl Fn(&str) -> Option<T>,
     ) -> Option<Vec<T>> {
-        let asked =
-            self.or(key, all.to_vec(), |reader, key, value| reader.named(key, value, names, find))?;
+        let asked = self.or(key, all.to_vec(), |reader, at| reader.named(at, names, find))?;
         Some(all.iter().copied().filter(|one| asked.contains(one)).collect())
     }
 

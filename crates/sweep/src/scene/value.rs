@@ -14,6 +14,8 @@ use toml::de::{DeTable, DeValue};
 
 /// A value and where it is.
 pub(super) type TomlValue<'s> = Spanned<DeValue<'s>>;
+/// A key and its value, or one of its values.
+pub(super) type Entry<'v, 's> = (&'v str, &'v TomlValue<'s>);
 
 /// The text that is read, what was wrong so far, and what is answered but worth a remark.
 pub(super) struct TomlReader<'s> {
@@ -74,7 +76,7 @@ impl<'s> TomlReader<'s> {
             Some(value) if value.get_ref().as_str() == Some(schema) => true,
             Some(value) => {
                 let here = format!("one that is read here: \"{schema}\"");
-                self.reject::<()>("schema", value, &here).is_some()
+                self.reject::<()>(("schema", value), &here).is_some()
             }
             None => {
                 self.fault(0..0, format!("schema is missing; {what} has schema = \"{schema}\""));
@@ -104,7 +106,7 @@ impl<'s> TomlReader<'s> {
     }
 
     /// `key "value" is not allowed`, in place of what would be read.
-    pub(super) fn reject<T>(&mut self, key: &str, value: &TomlValue, allowed: &str) -> Option<T> {
+    pub(super) fn reject<T>(&mut self, (key, value): Entry, allowed: &str) -> Option<T> {
         let shown = self.source.shown(value.span());
         self.refuse(value.span(), format!("{key} {shown} is not {allowed}"))
     }
@@ -122,25 +124,24 @@ impl<'s> TomlReader<'s> {
         }
     }
 
-    pub(super) fn text<'v>(&mut self, key: &str, value: &'v TomlValue) -> Option<&'v str> {
-        value.get_ref().as_str().or_else(|| self.reject(key, value, "a text"))
+    pub(super) fn text<'v>(&mut self, at: Entry<'v, '_>) -> Option<&'v str> {
+        at.1.get_ref().as_str().or_else(|| self.reject(at, "a text"))
     }
 
     /// Value that a text says, by its reader.
     pub(super) fn said<T, E: Display>(
         &mut self,
-        key: &str,
-        value: &TomlValue,
+        at @ (key, value): Entry,
         read: impl FnOnce(&str) -> Result<T, E>,
     ) -> Option<T> {
-        let text = Self::literal(value).or_else(|| self.reject(key, value, "a text"))?;
+        let text = Self::literal(value).or_else(|| self.reject(at, "a text"))?;
         read(text)
             .or_else(|said| self.refuse(value.span(), format!("{key}: {said}")).ok_or(()))
             .ok()
     }
 
-    pub(super) fn truth(&mut self, key: &str, value: &TomlValue) -> Option<bool> {
-        value.get_ref().as_bool().or_else(|| self.reject(key, value, "true or false"))
+    pub(super) fn truth(&mut self, at: Entry) -> Option<bool> {
+        at.1.get_ref().as_bool().or_else(|| self.reject(at, "true or false"))
     }
 
     /// The text of a number, with or without quotes.
@@ -165,36 +166,29 @@ impl<'s> TomlReader<'s> {
     /// A double in a range.
     pub(super) fn double(
         &mut self,
-        key: &str,
-        value: &TomlValue,
+        at: Entry,
         (range, allowed): (RangeInclusive<f64>, &str),
     ) -> Option<f64> {
-        let number = Self::literal(value).and_then(|text| text.parse().ok());
+        let number = Self::literal(at.1).and_then(|text| text.parse().ok());
         number
             .filter(|number| range.contains(number))
-            .or_else(|| self.reject(key, value, &format!("a number from {allowed}")))
+            .or_else(|| self.reject(at, &format!("a number from {allowed}")))
     }
 
-    pub(super) fn whole(
-        &mut self,
-        key: &str,
-        value: &TomlValue,
-        allowed: RangeInclusive<usize>,
-    ) -> Option<usize> {
-        let number = value.get_ref().as_integer().and_then(|integer| {
+    pub(super) fn whole(&mut self, at: Entry, allowed: RangeInclusive<usize>) -> Option<usize> {
+        let number = at.1.get_ref().as_integer().and_then(|integer| {
             usize::from_str_radix(integer.as_str().trim_start_matches('+'), integer.radix()).ok()
         });
         number.filter(|number| allowed.contains(number)).or_else(|| {
             let (least, most) = allowed.into_inner();
-            self.reject(key, value, &format!("a whole number from {least} to {most}"))
+            self.reject(at, &format!("a whole number from {least} to {most}"))
         })
     }
 
     /// The elements of a list, or the value itself.
     pub(super) fn elements<'v, 't>(
         &mut self,
-        key: &str,
-        value: &'v TomlValue<'t>,
+        (key, value): Entry<'v, 't>,
         allowed: &str,
     ) -> Vec<&'v TomlValue<'t>> {
         match value.get_ref() {
@@ -211,19 +205,18 @@ impl<'s> TomlReader<'s> {
     /// The elements as `read` reads them, each once by the key beside it. `None` if any is wrong.
     pub(super) fn each_once<'v, 't, K: Eq + Hash, T>(
         &mut self,
-        key: &str,
-        value: &'v TomlValue<'t>,
+        at: Entry<'v, 't>,
         allowed: &str,
-        mut read: impl FnMut(&mut Self, &'v TomlValue<'t>) -> Option<(K, T)>,
+        mut read: impl FnMut(&mut Self, Entry<'v, 't>) -> Option<(K, T)>,
     ) -> Option<Vec<T>> {
         let before = self.faults.len();
         let (mut found, mut seen) = (Vec::new(), HashSet::new());
-        for element in self.elements(key, value, allowed) {
-            let Some((of, one)) = read(self, element) else { continue };
+        for element in self.elements(at, allowed) {
+            let Some((of, one)) = read(self, (at.0, element)) else { continue };
             if seen.insert(of) {
                 found.push(one);
             } else {
-                let shown = self.source.shown(element.span());
+                let (key, shown) = (at.0, self.source.shown(element.span()));
                 let message = format!("{key} {shown} is listed twice and counts once");
                 self.remark(element.span(), message);
             }
@@ -234,17 +227,16 @@ impl<'s> TomlReader<'s> {
     /// Values of these names, each once: a list, or one by itself. `None` if any is wrong.
     pub(super) fn named<T: Copy + Eq + Hash>(
         &mut self,
-        key: &str,
-        value: &TomlValue,
+        at: Entry,
         names: &[&str],
         find: impl Fn(&str) -> Option<T>,
     ) -> Option<Vec<T>> {
         let allowed = format!("one of {}", list(names.iter().copied()));
-        self.each_once(key, value, &allowed, |reader, element| {
-            let text = element.get_ref().as_str();
+        self.each_once(at, &allowed, |reader, at| {
+            let text = at.1.get_ref().as_str();
             text.and_then(&find).map(|found| (found, found)).or_else(|| {
                 let hint = text.map_or(String::new(), |text| did_you_mean(text, names));
-                reader.reject(key, element, &format!("{allowed}{hint}"))
+                reader.reject(at, &format!("{allowed}{hint}"))
             })
         })
     }
@@ -252,22 +244,21 @@ impl<'s> TomlReader<'s> {
     /// Value of one of these names.
     pub(super) fn one_named<T: Copy + Eq + Hash>(
         &mut self,
-        key: &str,
-        value: &TomlValue,
+        at: Entry,
         names: &[&str],
         find: impl Fn(&str) -> Option<T>,
     ) -> Option<T> {
-        match self.named(key, value, names, find)?[..] {
+        match self.named(at, names, find)?[..] {
             [one] => Some(one),
-            _ => self.reject(key, value, "one of them"),
+            _ => self.reject(at, "one of them"),
         }
     }
 
     /// The weights named, or both.
-    pub(super) fn weights(&mut self, key: &str, value: &TomlValue) -> Option<Vec<SelfWeight>> {
-        match value.get_ref().as_str() {
+    pub(super) fn weights(&mut self, at: Entry) -> Option<Vec<SelfWeight>> {
+        match at.1.get_ref().as_str() {
             Some("both") => Some(SelfWeight::ALL.to_vec()),
-            _ => self.named(key, value, &SelfWeight::ALL.map(SelfWeight::name), SelfWeight::named),
+            _ => self.named(at, &SelfWeight::ALL.map(SelfWeight::name), SelfWeight::named),
         }
     }
 }
