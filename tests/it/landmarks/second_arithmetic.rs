@@ -3,17 +3,13 @@
 use super::certified;
 use couplet::arch::{Configuration, SelfWeight};
 use couplet::check::krawczyk;
-use couplet::number::{Astro, Ball, End, Field, Interval};
+use couplet::number::{AstroInterval, Ball, Field};
 use couplet::problem::{Landmark, System};
 use rug::Float;
 
+/// Krawczyk over intervals, on boxes around the ball midpoints; the images overlap the balls.
 #[test]
 fn the_second_arithmetic_proves_the_same_points() {
-    the_same_points::<Astro>();
-}
-
-/// Krawczyk over intervals, on boxes around the ball midpoints; the images overlap the balls.
-fn the_same_points<E: End>() {
     const PREC: usize = 256;
     for landmark in Landmark::ALL {
         for weight in SelfWeight::ALL {
@@ -22,7 +18,7 @@ fn the_same_points<E: End>() {
             let refined = point.enclosure(PREC as u32 + 64).unwrap();
             let values: Vec<Ball> =
                 system.unknowns.iter().map(|&u| refined.value(u).unwrap()).collect();
-            let image = image_in::<E>(&system, &values, PREC)
+            let image = image_in(&system, &values, PREC)
                 .unwrap_or_else(|| panic!("{landmark:?} {weight:?} is not proved"));
             for (ball, interval) in values.iter().zip(&image) {
                 let (low, high) = interval.ends().unwrap();
@@ -32,13 +28,13 @@ fn the_same_points<E: End>() {
             // A false twin: a box that does not hold the root is refused.
             let moved: Vec<Ball> =
                 values.iter().map(|x| x.clone() + x.clone() * x.ratio(1, 1 << 20)).collect();
-            assert!(image_in::<E>(&system, &moved, PREC).is_none(), "{landmark:?} {weight:?}");
+            assert!(image_in(&system, &moved, PREC).is_none(), "{landmark:?} {weight:?}");
         }
     }
 }
 
-fn image_in<E: End>(system: &System, values: &[Ball], prec: usize) -> Option<Vec<Interval<E>>> {
-    let interval = |low: &Float, high: &Float| Interval::between(low, high, prec);
+fn image_in(system: &System, values: &[Ball], prec: usize) -> Option<Vec<AstroInterval>> {
+    let interval = |low: &Float, high: &Float| AstroInterval::between(low, high, prec);
     let mid = |x: &Ball| Float::with_val(128, x.mid());
     let centre: Vec<_> = values.iter().map(|x| interval(&mid(x), &mid(x))).collect();
     let radius = Float::with_val(128, 1) >> 100;
@@ -60,7 +56,7 @@ fn image_in<E: End>(system: &System, values: &[Ball], prec: usize) -> Option<Vec
         .into_iter()
         .map(|row| row.into_iter().map(|y| interval(&y, &y)).collect())
         .collect();
-    let given = || Configuration::zero(&Interval::integer(0, prec));
+    let given = || Configuration::zero(&AstroInterval::integer(0, prec));
     let residuals = system.residuals(&system.place(given(), &centre));
     let slopes = system.residuals(&system.variables(&system.place(given(), &domain)));
     let image = krawczyk::image(&centre, &residuals, &slopes, &preconditioner, &domain);

@@ -1,7 +1,7 @@
 //! How every number type is made and compared.
 
 use couplet::number::{
-    Ball, Dual, Enclosure, End, Engine, ExactNumber, Field, FloatBall, Interval, Midpoint,
+    AstroInterval, Ball, Dual, Enclosure, Engine, ExactNumber, Field, FloatBall, Midpoint,
 };
 use rug::{Float, Rational};
 
@@ -58,9 +58,9 @@ impl Sample for Ball {
     }
 }
 
-impl<E: End> Sample for Interval<E> {
+impl Sample for AstroInterval {
     fn sample(value: &Rational) -> Self {
-        Interval::enclosing(value, BITS as usize)
+        ExactNumber::from(value).enclosure(BITS)
     }
     fn agrees(&self, other: &Self) -> bool {
         self.overlaps(other)

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 /// Methods that are still in another file than their type, to be moved. Nothing is added here.
 const KNOWN: &[(&str, &str)] = &[
     ("number/engine.rs", "From for Dyadic"),
-    ("number/gmp/interval.rs", "Interval"),
+    ("number/gmp/interval.rs", "AstroInterval"),
     ("symbolic/display.rs", "Fraction"),
     ("symbolic/display.rs", "Polynomial"),
     ("symbolic/division.rs", "Polynomial"),

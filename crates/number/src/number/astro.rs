@@ -8,18 +8,17 @@
 //! `+ - * / sqrt` and pi are used, and sine and cosine for few bits; its logarithm is known not to return for some
 //! exact arguments.
 
-use super::end::{Direction, End};
-use super::interval::Interval;
-use astro_float_num::{
-    BigFloat, Consts, INF_NEG, INF_POS, RoundingMode, Sign, WORD_BIT_SIZE, Word,
-};
+pub use astro_float_num::RoundingMode;
+use astro_float_num::{BigFloat, Consts, INF_NEG, INF_POS, Sign, WORD_BIT_SIZE, Word};
 use std::cell::RefCell;
 use std::cmp::Ordering;
 
-/// All real numbers from one astro-float number to another.
-pub type AstroInterval = Interval<Astro>;
-
-/// An astro-float number.
+/// An astro-float number at an end of an interval, infinite or not.
+///
+/// Each operation has the precision of its result, in bits, and its direction: the answer is at most the true one
+/// if that is [`RoundingMode::Down`], at least the true one if it is [`RoundingMode::Up`], and no number at all where
+/// there is none. Too large or too small for an exponent makes no exception. More bits than those asked for do no
+/// harm.
 #[derive(Clone, Debug)]
 pub struct Astro(BigFloat);
 
@@ -32,13 +31,6 @@ fn with_constants<R>(f: impl FnOnce(&mut Consts) -> R) -> Option<R> {
     CONSTANTS.with_borrow_mut(|constants| constants.as_mut().map(f))
 }
 
-fn mode(to: Direction) -> RoundingMode {
-    match to {
-        Direction::Down => RoundingMode::Down,
-        Direction::Up => RoundingMode::Up,
-    }
-}
-
 impl Astro {
     /// The number one unit of the last of `prec` bits, in whole words, above; `None` for zero, which has no unit.
     fn next(&self, prec: usize) -> Option<Self> {
@@ -49,16 +41,15 @@ impl Astro {
         let unit = BigFloat::from_words(&[1 << (WORD_BIT_SIZE - 1)], Sign::Pos, unit);
         Some(Self(self.0.add(&unit, bits, RoundingMode::Up)))
     }
-}
 
-impl End for Astro {
-    const HALVED: usize = 512;
-
-    fn infinite(negative: bool) -> Self {
+    /// An end of the whole line.
+    pub fn infinite(negative: bool) -> Self {
         Self(if negative { INF_NEG } else { INF_POS })
     }
 
-    fn dyadic(negative: bool, mantissa: &[u64], exponent: i32) -> Option<Self> {
+    /// The number `± mantissa * 2^exponent`, exactly; the mantissa in words, the least significant first and the
+    /// last not zero. `None` where its size is too large or too small for a number.
+    pub fn dyadic(negative: bool, mantissa: &[u64], exponent: i32) -> Option<Self> {
         let Some(top) = mantissa.last() else {
             return Some(Self(BigFloat::from_i32(0, WORD_BIT_SIZE)));
         };
@@ -81,7 +72,9 @@ impl End for Astro {
         (!number.is_nan()).then_some(Self(number))
     }
 
-    fn parts(&self) -> Option<(bool, Vec<u64>, i32)> {
+    /// Sign, mantissa and exponent, as they are given to [`Self::dyadic`]; zero has no words. `None` for what is not
+    /// finite.
+    pub fn parts(&self) -> Option<(bool, Vec<u64>, i32)> {
         if self.0.is_zero() {
             return Some((false, Vec::new(), 0));
         }
@@ -94,11 +87,13 @@ impl End for Astro {
         Some((sign == Sign::Neg, bytes.chunks(8).map(word).collect(), exponent.checked_sub(bits)?))
     }
 
-    fn order(&self, other: &Self) -> Option<Ordering> {
+    /// Order of two numbers; `None` if one of them is no number.
+    pub fn order(&self, other: &Self) -> Option<Ordering> {
         self.0.cmp(&other.0).map(|order| order.cmp(&0))
     }
 
-    fn sign(&self) -> Option<Ordering> {
+    /// Side of zero on which it lies; `None` if it is no number.
+    pub fn sign(&self) -> Option<Ordering> {
         match () {
             () if self.0.is_nan() => None,
             () if self.0.is_zero() => Some(Ordering::Equal),
@@ -107,54 +102,76 @@ impl End for Astro {
         }
     }
 
-    fn is_finite(&self) -> bool {
+    /// Tells whether the end is a number and not infinite.
+    pub fn is_finite(&self) -> bool {
         !self.0.is_inf() && !self.0.is_nan()
     }
 
-    fn exponent(&self) -> Option<i64> {
+    /// The least power of two above its size; `None` for zero and for what is not finite.
+    pub fn exponent(&self) -> Option<i64> {
         self.0.exponent().filter(|_| !self.0.is_zero()).map(i64::from)
     }
 
-    fn negated(&self) -> Self {
+    /// The one of two that lies on the side given of the other; no number if one of them is none.
+    pub(super) fn beyond(self, other: &Self, side: Ordering) -> Self {
+        match self.order(other) {
+            Some(order) if order == side => self,
+            None if self.sign().is_none() => self,
+            _ => other.clone(),
+        }
+    }
+
+    /// The number on the other side of zero.
+    pub fn negated(&self) -> Self {
         Self(BigFloat::neg(&self.0))
     }
 
-    fn rounded(&self, prec: usize, to: Direction) -> Self {
+    /// Gives the number itself if it has at most so many bits, and rounds it otherwise.
+    pub fn rounded(&self, prec: usize, to: RoundingMode) -> Self {
         let mut number = self.0.clone();
         let is_longer = number.mantissa_max_bit_len().is_some_and(|bits| bits > prec);
-        if is_longer && number.set_precision(prec, mode(to)).is_err() {
-            return Self::infinite(to == Direction::Down);
+        if is_longer && number.set_precision(prec, to).is_err() {
+            return Self::infinite(to == RoundingMode::Down);
         }
         Self(number)
     }
 
-    fn plus(&self, other: &Self, prec: usize, to: Direction) -> Self {
-        Self(self.0.add(&other.0, prec, mode(to)))
+    /// `self + other`.
+    pub fn plus(&self, other: &Self, prec: usize, to: RoundingMode) -> Self {
+        Self(self.0.add(&other.0, prec, to))
     }
 
-    fn minus(&self, other: &Self, prec: usize, to: Direction) -> Self {
-        Self(self.0.sub(&other.0, prec, mode(to)))
+    /// `self - other`.
+    pub fn minus(&self, other: &Self, prec: usize, to: RoundingMode) -> Self {
+        Self(self.0.sub(&other.0, prec, to))
     }
 
-    fn times(&self, other: &Self, prec: usize, to: Direction) -> Self {
-        Self(self.0.mul(&other.0, prec, mode(to)))
+    /// `self * other`.
+    pub fn times(&self, other: &Self, prec: usize, to: RoundingMode) -> Self {
+        Self(self.0.mul(&other.0, prec, to))
     }
 
-    fn over(&self, other: &Self, prec: usize, to: Direction) -> Self {
-        Self(self.0.div(&other.0, prec, mode(to)))
+    /// `self / other`.
+    pub fn over(&self, other: &Self, prec: usize, to: RoundingMode) -> Self {
+        Self(self.0.div(&other.0, prec, to))
     }
 
-    fn root(&self, prec: usize, to: Direction) -> Self {
-        Self(self.0.sqrt(prec, mode(to)))
+    /// The square root; no number below zero.
+    pub fn root(&self, prec: usize, to: RoundingMode) -> Self {
+        Self(self.0.sqrt(prec, to))
     }
 
-    fn pi(prec: usize, to: Direction) -> Self {
-        let pi = with_constants(|constants| Self(constants.pi(prec, mode(to))));
-        pi.unwrap_or_else(|| Self::infinite(to == Direction::Down))
+    /// The constant `pi`.
+    pub fn pi(prec: usize, to: RoundingMode) -> Self {
+        let pi = with_constants(|constants| Self(constants.pi(prec, to)));
+        pi.unwrap_or_else(|| Self::infinite(to == RoundingMode::Down))
     }
 
-    /// Sine and cosine, each rounded down, and the number above that: what an evaluation costs is not paid twice.
-    fn sin_cos(&self, prec: usize) -> Option<[(Self, Self); 2]> {
+    /// A number below and one above its sine, and the same of its cosine; `None` where it fails. Neither tiny nor much
+    /// longer than its bits ([`AstroInterval`](super::AstroInterval) asks for nothing else).
+    ///
+    /// Each is rounded down, and the other is the number above that: what an evaluation costs is not paid twice.
+    pub fn sin_cos(&self, prec: usize) -> Option<[(Self, Self); 2]> {
         let down = RoundingMode::Down;
         let [sin, cos] = with_constants(|constants| {
             [self.0.sin(prec, down, constants), self.0.cos(prec, down, constants)].map(Self)

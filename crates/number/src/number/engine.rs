@@ -1,8 +1,6 @@
 //! The arithmetic a certificate is checked in.
 
-use super::end::End;
-use super::interval::Interval;
-use super::{DoubleBall, Dyadic, Enclosure, FloatBall, Midpoint};
+use super::{AstroInterval, DoubleBall, Dyadic, Enclosure, FloatBall, Midpoint};
 
 /// Enclosures that can be made from exact binary numbers.
 ///
@@ -54,7 +52,7 @@ pub trait Engine: Enclosure {
     }
 }
 
-impl<E: End> Engine for Interval<E> {
+impl Engine for AstroInterval {
     fn exact(value: &Dyadic, bits: usize) -> Self {
         Self::dyadic(value.is_negative(), value.words(), value.exponent(), bits)
     }

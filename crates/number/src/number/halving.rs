@@ -75,22 +75,21 @@ impl Halving {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::end::End;
-    use crate::number::interval::{Interval, for_each_end};
-    use crate::number::{Field, Real};
+    use crate::number::{AstroInterval, Field, Real};
 
     /// Against the identity of the three angles that add up to pi, and against the functions of the arithmetic.
-    fn sines_and_cosines<E: End>() {
+    #[test]
+    fn sines_and_cosines_are_those() {
         for prec in [64, 400, 1000, 3000] {
             let plan = Halving::new(prec).unwrap();
-            let scale = Interval::<E>::dyadic(false, &[1], -(plan.halvings as i32), 64);
-            let error = Interval::<E>::dyadic(false, &[1], -(plan.tail as i32), 64).symmetric();
+            let scale = AstroInterval::dyadic(false, &[1], -(plan.halvings as i32), 64);
+            let error = AstroInterval::dyadic(false, &[1], -(plan.tail as i32), 64).symmetric();
             for (n, d) in [(1, 8), (1, 3), (1, 1), (11, 7), (2, 1), (3, 1)] {
-                let x = Interval::<E>::integer(0, plan.bits).ratio(n, d);
+                let x = AstroInterval::integer(0, plan.bits).ratio(n, d);
                 let (sin, cos) = plan.sin_cos(&(x.clone() * &scale), &error);
                 let one = sin.square() + cos.square();
                 assert!(one.overlaps(&x.int(1)) && sin.is_positive().is_proved(), "{prec} {n}/{d}");
-                let narrow = Interval::<E>::dyadic(false, &[1], -(prec as i32) - 8, 64).symmetric();
+                let narrow = AstroInterval::dyadic(false, &[1], -(prec as i32) - 8, 64).symmetric();
                 for (ours, theirs) in [(sin, x.sin_cos().0), (cos, x.sin_cos().1)] {
                     assert!(ours.overlaps(&theirs), "{prec} {n}/{d}");
                     assert!(ours.centred().lies_inside(&narrow), "wide: {prec} {n}/{d}");
@@ -100,23 +99,14 @@ mod tests {
     }
 
     /// Without the tail, or with a term less, it is another number.
-    fn what_is_left_out<E: End>() {
+    #[test]
+    fn what_is_left_out_counts() {
         let plan = Halving::new(400).unwrap();
-        let scale = Interval::<E>::dyadic(false, &[1], -(plan.halvings as i32), 64);
-        let (x, none) = (Interval::<E>::integer(2, plan.bits), Interval::<E>::integer(0, 64));
+        let scale = AstroInterval::dyadic(false, &[1], -(plan.halvings as i32), 64);
+        let (x, none) = (AstroInterval::integer(2, plan.bits), AstroInterval::integer(0, 64));
         let (sin, _) = plan.sin_cos(&(x.clone() * &scale), &none);
         let short = Halving { terms: plan.terms - 2, ..plan };
         let (other, _) = short.sin_cos(&(x * &scale), &none);
         assert!(!sin.overlaps(&other));
-    }
-
-    #[test]
-    fn sines_and_cosines_are_those() {
-        for_each_end!(sines_and_cosines);
-    }
-
-    #[test]
-    fn what_is_left_out_counts() {
-        for_each_end!(what_is_left_out);
     }
 }

@@ -1,27 +1,29 @@
 //! Intervals: all numbers from one end to another, each end rounded outward.
 //!
-//! What an interval is and how its ends combine is written once, here; what an [`End`] is, and who rounds it, in a file
-//! for each arithmetic. A failure, or an end on the wrong side, becomes the whole line.
+//! What an interval is and how its ends combine is written here; what an end is, and who rounds it, in the file of
+//! [`Astro`]. A failure, or an end on the wrong side, becomes the whole line.
 
-use super::end::Direction::{Down, Up};
-use super::end::End;
+use super::astro::Astro;
+use super::astro::RoundingMode::{Down, Up};
 use super::halving::Halving;
 use super::{Enclosure, Field, Real, Ternary};
 use std::cmp::Ordering;
-use std::fmt::Debug;
 
 /// The least precision, bits.
 const LEAST: usize = 64;
 
-/// All real numbers from one end to another, and the precision of results.
+/// From so many bits on sines are computed by products, which are quicker than what astro-float has.
+const HALVED: usize = 512;
+
+/// All real numbers from one astro-float number to another, and the precision of results.
 #[derive(Clone, Debug)]
-pub struct Interval<E> {
-    low: E,
-    high: E,
+pub struct AstroInterval {
+    pub(super) low: Astro,
+    pub(super) high: Astro,
     pub(super) prec: usize,
 }
 
-impl<E: End> Interval<E> {
+impl AstroInterval {
     /// The integer `n`, with results to be rounded to `prec` bits, at least 64.
     pub fn integer(n: i32, prec: usize) -> Self {
         Self::dyadic(n < 0, &[n.unsigned_abs().into()], 0, prec)
@@ -32,14 +34,14 @@ impl<E: End> Interval<E> {
     /// exponent.
     pub fn dyadic(negative: bool, mantissa: &[u64], exponent: i32, prec: usize) -> Self {
         let size = mantissa.iter().rposition(|word| *word != 0).map_or(0, |last| last + 1);
-        match E::dyadic(negative, &mantissa[..size], exponent) {
+        match Astro::dyadic(negative, &mantissa[..size], exponent) {
             Some(point) => Self { low: point.clone(), high: point, prec: prec.max(LEAST) },
             None => Self::whole(prec),
         }
     }
 
     /// All numbers from one end to the other; the whole line if they are not in order.
-    pub(super) fn new(low: E, high: E, prec: usize) -> Self {
+    pub(super) fn new(low: Astro, high: Astro, prec: usize) -> Self {
         let is_ordered = low.order(&high).is_some_and(Ordering::is_le);
         let is_low = low.is_finite() || low.sign() == Some(Ordering::Less);
         let is_high = high.is_finite() || high.sign() == Some(Ordering::Greater);
@@ -51,7 +53,7 @@ impl<E: End> Interval<E> {
 
     /// The whole line.
     pub fn whole(prec: usize) -> Self {
-        Self { low: E::infinite(true), high: E::infinite(false), prec: prec.max(LEAST) }
+        Self { low: Astro::infinite(true), high: Astro::infinite(false), prec: prec.max(LEAST) }
     }
 
     /// Gives the set, its ends rounded outward if they have more bits, with results to be rounded to `prec`
@@ -68,11 +70,6 @@ impl<E: End> Interval<E> {
         let is_above = below.order(&self.high).is_some_and(Ordering::is_gt);
         let size = if is_above { below } else { self.high.clone() };
         Self::new(size.negated(), size, self.prec)
-    }
-
-    /// The lower and the upper end.
-    pub fn low_and_high(&self) -> [&E; 2] {
-        [&self.low, &self.high]
     }
 
     fn is_non_negative(&self) -> bool {
@@ -101,7 +98,7 @@ impl<E: End> Interval<E> {
     /// Sine and cosine of an exact number from 1/8 to 3, by products; `None` for others and next to a right angle,
     /// where one of them may be small, and for few bits.
     fn by_halving(&self) -> Option<(Self, Self)> {
-        if self.prec < E::HALVED {
+        if self.prec < HALVED {
             return None;
         }
         let negative = self.is_non_positive();
@@ -139,7 +136,7 @@ impl<E: End> Interval<E> {
     }
 }
 
-impl<E: End> Field for Interval<E> {
+impl Field for AstroInterval {
     fn int(&self, n: i32) -> Self {
         Self::integer(n, self.prec)
     }
@@ -159,9 +156,9 @@ impl<E: End> Field for Interval<E> {
     }
 }
 
-impl<E: End> Real for Interval<E> {
+impl Real for AstroInterval {
     fn pi(&self) -> Self {
-        Self::new(E::pi(self.prec, Down), E::pi(self.prec, Up), self.prec)
+        Self::new(Astro::pi(self.prec, Down), Astro::pi(self.prec, Up), self.prec)
     }
 
     fn sqrt(&self) -> Self {
@@ -209,7 +206,7 @@ impl<E: End> Real for Interval<E> {
     }
 }
 
-impl<E: End> Enclosure for Interval<E> {
+impl Enclosure for AstroInterval {
     fn is_positive(&self) -> Ternary {
         if self.low.sign().is_some_and(Ordering::is_gt) {
             Ternary::True
@@ -239,17 +236,17 @@ impl<E: End> Enclosure for Interval<E> {
     }
 
     fn lies_inside(&self, outer: &Self) -> bool {
-        let below = |a: &E, b: &E| a.order(b).is_some_and(Ordering::is_lt);
+        let below = |a: &Astro, b: &Astro| a.order(b).is_some_and(Ordering::is_lt);
         self.is_bounded() && below(&outer.low, &self.low) && below(&self.high, &outer.high)
     }
 
     fn overlaps(&self, other: &Self) -> bool {
-        let below = |a: &E, b: &E| a.order(b).is_some_and(Ordering::is_lt);
+        let below = |a: &Astro, b: &Astro| a.order(b).is_some_and(Ordering::is_lt);
         !below(&self.high, &other.low) && !below(&other.high, &self.low)
     }
 }
 
-impl<E: End> Interval<E> {
+impl AstroInterval {
     fn negated(self) -> Self {
         Self { low: self.high.negated(), high: self.low.negated(), prec: self.prec }
     }
@@ -302,18 +299,7 @@ impl<E: End> Interval<E> {
     }
 }
 
-operators!([E: End] Interval<E>);
-
-/// Runs a generic test for the ends of each arithmetic that is built in.
-#[cfg(test)]
-macro_rules! for_each_end {
-    ($test:ident) => {
-        $test::<$crate::number::Astro>();
-    };
-}
-
-#[cfg(test)]
-pub(super) use for_each_end;
+operators!(AstroInterval);
 
 #[cfg(test)]
 mod tests;

@@ -89,7 +89,6 @@ mod double_sine_table;
 mod drawable;
 mod dual;
 mod dyadic;
-mod end;
 mod engine;
 mod exact;
 mod float_ball;
@@ -113,7 +112,7 @@ mod written;
 
 pub use crate::{as_text, list, operators, says, shown_as_text, worded};
 pub use angle::Angle;
-pub use astro::{Astro, AstroInterval};
+pub use astro::{Astro, RoundingMode};
 pub use decimal::{Decimal, ParseDecimalError};
 pub use derivatives::Derivatives;
 pub use double_ball::DoubleBall;
@@ -123,7 +122,6 @@ pub use double_sine::{SinePoint, SinePoints};
 pub use drawable::Drawable;
 pub use dual::{Dual, gradient};
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
-pub use end::{Direction, End};
 pub use engine::Engine;
 pub use exact::{
     ExactNumber, Form, ParseExactError, rational_sine_and_cosine, root, sine_and_cosine,
@@ -132,7 +130,7 @@ pub use float_ball::{Branchless, Edge, FloatBall, Midpoint, Settled, power_of_tw
 #[cfg(feature = "mpfr")]
 pub use gmp::*;
 pub use gradient::Gradient;
-pub use interval::Interval;
+pub use interval::AstroInterval;
 pub use jet::Jet;
 pub use product::{Dekker, Fused, Product};
 pub use range::{BETWEEN, PLUS_MINUS, TELL_OF_RANGES, is_range, spelt_range};
