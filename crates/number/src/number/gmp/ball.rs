@@ -84,7 +84,7 @@ impl Ball {
     /// A ball that holds this one and another; tight where they differ by little.
     pub fn hull(&self, other: &Self) -> Self {
         let gap = self.clone() - other;
-        self.clone().widened(Magnitude::upper(gap.mid()).plus(gap.rad())).widened(other.rad())
+        self.clone().widened(gap.size()).widened(other.rad())
     }
 
     /// The midpoint; zero for the whole line.
@@ -100,6 +100,17 @@ impl Ball {
     /// The precision in bits to which results are rounded.
     pub fn prec(&self) -> u32 {
         self.prec
+    }
+
+    /// Upper bound of the size of every number of the ball.
+    pub fn size(&self) -> Magnitude {
+        Magnitude::upper(&self.mid).plus(self.rad)
+    }
+
+    /// Exponent `e` with every number of the ball below `2^e` in size; that of the last bit for zero.
+    pub(super) fn size_exponent(&self) -> Option<i64> {
+        let size = self.size();
+        if size.is_zero() { Some(-i64::from(self.prec)) } else { size.exponent() }
     }
 
     /// A number not above any of the ball, rounded down; `-inf` for the whole line.
@@ -460,7 +471,7 @@ impl fmt::Display for Ball {
         };
         let shown = decimal(&self.mid, digits.max(1), Round::Nearest);
         let bound = |x: &Self| {
-            let bound = Magnitude::upper(&x.mid).plus(x.rad);
+            let bound = x.size();
             match bound.is_finite() {
                 true => format!("{:e}", decimal(&bound.to_float(), BOUND, Round::Up)),
                 false => "inf".to_owned(),

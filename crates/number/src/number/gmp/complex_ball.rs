@@ -83,12 +83,11 @@ impl ComplexBall {
         let near = Self { re: exact(cos * &size), im: exact(sin * &size) };
         let cube = near.clone() * &near * &near;
         let rest = self.clone() / &cube - Self::from(near.re.int(1));
-        let bound = |part: &Ball| Magnitude::upper(part.mid()).plus(part.rad());
-        let error = bound(&rest.re).plus(bound(&rest.im));
+        let error = rest.re.size().plus(rest.im.size());
         if error > Magnitude::power_of_two(-1) {
             return None;
         }
-        let spread = bound(&near.re).plus(bound(&near.im)).times(error);
+        let spread = near.re.size().plus(near.im.size()).times(error);
         let root = Self { re: near.re.widened(spread), im: near.im.widened(spread) };
         let inside = root.re.int(3) * root.re.square() - root.im.square();
         let is_principal = root.re.is_positive().is_proved() && inside.is_positive().is_proved();

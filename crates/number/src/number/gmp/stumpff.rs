@@ -1,7 +1,7 @@
 //! Stumpff's functions of MPFR numbers and of balls.
 
 use super::super::stumpff::{Stumpff, from_angle, from_series, terms};
-use super::{Angle, Ball, Enclosure, Field, Magnitude, Real};
+use super::{Angle, Ball, Enclosure, Field, Real};
 use rug::Float;
 
 impl Stumpff for Float {
@@ -21,8 +21,7 @@ const GUARD: u32 = 32;
 /// They are those at the midpoint `m`, and change by `2r` at most on `m ± r`: for `|u| <= 2` each function is
 /// below `3/n!`, so that `|c_n'| <= (n c_(n+2) + c_(n+1))/2 <= 2`.
 pub fn stumpff_with(u: &Ball, count: usize, angle: impl FnOnce(Ball) -> Angle<Ball>) -> Vec<Ball> {
-    let size = Magnitude::upper(u.mid()).plus(u.rad()).exponent();
-    let size = size.unwrap_or(i64::MIN / 2);
+    let size = u.size().exponent().unwrap_or(i64::MIN / 2);
     let has_many = size <= 1 && terms(u.prec(), size) > MANY_TERMS;
     let Some(exponent) = u.mid().get_exp().filter(|_| has_many && *u.mid() > 0) else {
         return by_series(u, count);
@@ -35,7 +34,7 @@ pub fn stumpff_with(u: &Ball, count: usize, angle: impl FnOnce(Ball) -> Angle<Ba
 }
 
 fn by_series(u: &Ball, count: usize) -> Vec<Ball> {
-    let size = Magnitude::upper(u.mid()).plus(u.rad());
+    let size = u.size();
     let exponent = size.exponent().unwrap_or(i64::MIN / 2);
     if !u.is_bounded() || exponent > 1 {
         return vec![Ball::whole(u.prec()); count];
@@ -55,6 +54,7 @@ impl Stumpff for Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Magnitude;
     use crate::number::Real;
     use crate::number::test_config::config;
     use proptest::prelude::*;

@@ -296,7 +296,7 @@ impl TripleWord {
 
 /// `a - b`, and whether it is below zero, where the difference means nothing.
 #[inline]
-fn difference(a: &[u64; 4], b: &[u64; 4]) -> ([u64; 4], bool) {
+pub(super) fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> ([u64; N], bool) {
     let mut borrow = false;
     let words = std::array::from_fn(|i| {
         let (word, first) = a[i].overflowing_sub(b[i]);

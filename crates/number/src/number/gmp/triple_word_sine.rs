@@ -21,7 +21,7 @@
 //! add at most twelve errors of `2^-189`. For `k = 0`, where `S = 0` and `C = 1`, `sin x = sin r`; for `|x| = 1/64` and
 //! `k = 1` the error is below `2^-157`. ∎
 
-use super::triple_word::{TripleWord, upper_product};
+use super::triple_word::{TripleWord, difference, upper_product};
 use crate::number::Field;
 use rug::Float;
 use std::sync::OnceLock;
@@ -66,22 +66,10 @@ fn row(k: usize) -> [TripleWord; 2] {
 #[inline]
 fn series(first: usize, y: &[u64; 3]) -> TripleWord {
     let coefficient = |k: usize| RECIPROCAL_FACTORIALS[first + 2 * k];
-    let sum = (0..TERMS - 1)
-        .rev()
-        .fold(coefficient(TERMS - 1), |sum, k| less(&coefficient(k), &upper_product(&sum, y)));
+    let sum = (0..TERMS - 1).rev().fold(coefficient(TERMS - 1), |sum, k| {
+        difference(&coefficient(k), &upper_product(&sum, y)).0
+    });
     TripleWord::of_fixed(upper_product(&sum, y))
-}
-
-/// `a - b`, for `a >= b`.
-#[inline]
-fn less(a: &[u64; 3], b: &[u64; 3]) -> [u64; 3] {
-    let mut borrow = false;
-    std::array::from_fn(|i| {
-        let (word, first) = a[i].overflowing_sub(b[i]);
-        let (word, second) = word.overflowing_sub(u64::from(borrow));
-        borrow = first | second;
-        word
-    })
 }
 
 /// Sine and cosine of `x` with `|x| <= 4`; beyond, what comes out means nothing.

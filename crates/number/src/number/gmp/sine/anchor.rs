@@ -114,7 +114,7 @@ impl SineAnchor {
 
     /// Binary zeros before a small angle.
     fn depth(&self) -> u32 {
-        let zeros = size_exponent(&self.at).map_or(0, |e| e.min(0).unsigned_abs());
+        let zeros = self.at.size_exponent().map_or(0, |e| e.min(0).unsigned_abs());
         u32::try_from(zeros).unwrap_or(u32::MAX)
     }
 
@@ -135,7 +135,7 @@ impl SineAnchor {
         let wanted = prec.saturating_add(self.depth()).saturating_add(GUARD);
         let places = self.turn.places.min(wanted);
         let distance = (rad.clone() - &self.at.with_precision(places + GUARD)).trimmed();
-        let is_near = size_exponent(&distance).is_some_and(|e| e <= REACH);
+        let is_near = distance.size_exponent().is_some_and(|e| e <= REACH);
         let moved = || self.turn.cut(places).moved(&fixed(distance.mid(), places));
         let turn = is_near.then(moved).flatten()?;
         let unit = Magnitude::power_of_two(-i64::from(places));
@@ -143,8 +143,7 @@ impl SineAnchor {
         let spread = distance.rad().plus(unit);
         // For |d| <= r, sine and cosine change by at most r, and by r |slope| + r²/2.
         let change = |slope: &Ball| {
-            let slope = Magnitude::upper(slope.mid()).plus(slope.rad());
-            spread.min(slope.times(spread).plus(spread.times(spread).shifted(-1)))
+            spread.min(slope.size().times(spread).plus(spread.times(spread).shifted(-1)))
         };
         let (of_sin, of_cos) = (change(&cos), change(&sin));
         Some(Angle { rad: rad.clone(), sin: sin.widened(of_sin), cos: cos.widened(of_cos) })
@@ -166,12 +165,6 @@ fn relations_to(places: u32) -> u32 {
         60_000..600_000 => 120,
         _ => 160,
     }
-}
-
-/// Exponent `e` with every number of the ball below `2^e` in size.
-fn size_exponent(x: &Ball) -> Option<i64> {
-    let bound = Magnitude::upper(x.mid()).plus(x.rad());
-    if bound.is_zero() { Some(-i64::from(x.prec())) } else { bound.exponent() }
 }
 
 #[cfg(test)]

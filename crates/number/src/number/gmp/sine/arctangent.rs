@@ -76,7 +76,7 @@ fn computed(x: &Ball) -> Ball {
 fn arctangent_from(a: &Angle<Ball>, x: &Ball) -> Ball {
     let prec = x.prec();
     let rise = (x.clone() * &a.cos - &a.sin).trimmed();
-    let Some(exponent) = exponent(&rise) else { return Ball::whole(prec) };
+    let Some(exponent) = rise.size_exponent() else { return Ball::whole(prec) };
     let bits = |lost: i64| (i64::from(prec) - lost + GUARD).max(32) as u32;
     let width = bits(-exponent.min(0));
     let run = a.cos.with_precision(width) + x.with_precision(width) * a.sin.with_precision(width);
@@ -86,7 +86,7 @@ fn arctangent_from(a: &Angle<Ball>, x: &Ball) -> Ball {
         return Ball::whole(prec);
     }
     let t = (rise.with_precision(width) / run).with_precision(width);
-    let Some(exponent) = self::exponent(&t).filter(|&e| e <= -4) else { return Ball::whole(prec) };
+    let Some(exponent) = t.size_exponent().filter(|&e| e <= -4) else { return Ball::whole(prec) };
     let square = t.with_precision(bits(-2 * exponent)).square();
     let terms = (i64::from(prec) + GUARD).max(0) / (-2 * exponent) + 1;
     let half = Ball::new(rug::Float::with_val(32, 0.5), Magnitude::power_of_two(-1), 32);
@@ -98,12 +98,6 @@ fn arctangent_from(a: &Angle<Ball>, x: &Ball) -> Ball {
         term.int(1) - term
     });
     (t * series).with_precision(prec) + &a.rad
-}
-
-/// Exponent `e` with every number of the ball below `2^e` in size.
-fn exponent(x: &Ball) -> Option<i64> {
-    let size = Magnitude::upper(x.mid()).plus(x.rad());
-    if size.is_zero() { Some(-i64::from(x.prec())) } else { size.exponent() }
 }
 
 #[cfg(test)]

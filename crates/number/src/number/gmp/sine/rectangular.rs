@@ -156,7 +156,7 @@ impl SineArgument {
 }
 
 /// The divisors of the series.
-fn of_sine(k: u64) -> u64 {
+pub(super) fn of_sine(k: u64) -> u64 {
     2 * k * (2 * k + 1)
 }
 
@@ -165,7 +165,7 @@ fn of_versine(k: u64) -> u64 {
 }
 
 /// Number of terms that leave a rest below `2^-width`: the first with `t^(2k)/(d(1) … d(k))` below that.
-fn count(small: u32, width: u32, divisor: fn(u64) -> u64) -> u32 {
+pub(super) fn count(small: u32, width: u32, divisor: fn(u64) -> u64) -> u32 {
     let (mut terms, mut size) = (0, 0);
     while size < u64::from(width) {
         terms += 1;

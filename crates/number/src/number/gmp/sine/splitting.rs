@@ -12,6 +12,7 @@
 //! result.
 
 use super::product::{halving_powers, product, square};
+use super::rectangular::{count, of_sine};
 use rug::Integer;
 use std::collections::BTreeMap;
 
@@ -68,7 +69,8 @@ struct PartialSum {
 impl SineSeries {
     fn new(u: &Integer, p: u32, small: u32, places: u32) -> Self {
         let square = square(u);
-        let terms = rounded(count(small, places));
+        // The terms after the first are `r^(2k)/(2k+1)!`.
+        let terms = rounded(count(small, places.saturating_sub(small), of_sine));
         let powers = halving_powers(&square, terms);
         Self { square, p, small, places, terms, powers }
     }
@@ -114,17 +116,6 @@ fn cut(x: Integer, shift: i64, bits: u32) -> (Integer, i64) {
         Some(excess) if excess > 0 => (x >> excess, shift - i64::from(excess)),
         _ => (x, shift),
     }
-}
-
-/// Number of terms after the first that leave a rest below `2^-places`: `r^(2k)/(2k+1)!` is below that.
-fn count(small: u32, places: u32) -> u32 {
-    let (mut terms, mut size) = (0u32, u64::from(small));
-    while size < u64::from(places) {
-        terms += 1;
-        let k = u64::from(terms);
-        size += 2 * u64::from(small) + u64::from((2 * k * (2 * k + 1)).ilog2());
-    }
-    terms.max(1)
 }
 
 /// A few more terms, so that halves of halves have few different lengths.
