@@ -31,18 +31,20 @@ pub struct LaneState {
 }
 
 impl LaneState {
+    /// A state by its thickness, its thrust, the product of both, and its rotational joint.
+    pub(super) fn new(
+        mode: Mode,
+        [thickness, thrust, intrinsic_thrust, rotation_joint]: [DoubleDoubleBall; 4],
+        sliding_joint: Option<DoubleDoubleBall>,
+    ) -> Self {
+        Self { mode, thickness, thrust, intrinsic_thrust, rotation_joint, sliding_joint }
+    }
+
     /// The state of a half opening that rotates, from what is proved of it.
     pub(super) fn rotating(
-        [thickness, thrust, intrinsic_thrust, rotation_joint, ..]: &[DoubleDoubleBall; 6],
+        &[thickness, thrust, intrinsic_thrust, joint, ..]: &[DoubleDoubleBall; 6],
     ) -> Self {
-        Self {
-            mode: Mode::Rotational,
-            thickness: *thickness,
-            thrust: *thrust,
-            intrinsic_thrust: *intrinsic_thrust,
-            rotation_joint: *rotation_joint,
-            sliding_joint: None,
-        }
+        Self::new(Mode::Rotational, [thickness, thrust, intrinsic_thrust, joint], None)
     }
 }
 

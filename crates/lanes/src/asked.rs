@@ -143,19 +143,7 @@ impl<'a> Asked<'a> {
         rows.iter().for_each(|row| asking.push(*row, self.given(*row)));
         let proof = || Shoulder { weight, table: start::shoulder(weight) };
         asking.each(width, proof, |row, _, found| {
-            let [thickness, thrust, intrinsic_thrust, rotation_joint] = found;
-            let (mode, sliding_joint) = (Mode::SlidingRotational, None);
-            self.stands(
-                row,
-                LaneState {
-                    mode,
-                    thickness,
-                    thrust,
-                    intrinsic_thrust,
-                    rotation_joint,
-                    sliding_joint,
-                },
-            );
+            self.stands(row, LaneState::new(Mode::SlidingRotational, found, None));
         });
     }
 
@@ -211,8 +199,9 @@ impl<'a> Asked<'a> {
         }
         wide.each(width, || TooWide { weight }, |row, _, [_]| self.falls(row));
         let proof = || Crown { weight, is_limited: true };
-        crown.each(width, proof, |row, [_, _, thrust, joint], found| {
-            self.stands(row, at_crown(Mode::OverturningSliding, found, thrust, Some(joint)));
+        crown.each(width, proof, |row, [_, _, thrust, slides], [thickness, intrinsic_thrust]| {
+            let found = [thickness, thrust, intrinsic_thrust, zero()];
+            self.stands(row, LaneState::new(Mode::OverturningSliding, found, Some(slides)));
         });
         let proof = || Inner { weight, plane: start::plane(weight) };
         haunch.each(width, proof, |row, [_, _, thrust, slides], found| {
@@ -223,18 +212,8 @@ impl<'a> Asked<'a> {
                 (_, true) => Mode::RotationalSlidingRotational,
                 (false, false) => return,
             };
-            let sliding_joint = Some(slides);
-            self.stands(
-                row,
-                LaneState {
-                    mode,
-                    thickness,
-                    thrust,
-                    intrinsic_thrust,
-                    rotation_joint,
-                    sliding_joint,
-                },
-            );
+            let found = [thickness, thrust, intrinsic_thrust, rotation_joint];
+            self.stands(row, LaneState::new(mode, found, Some(slides)));
         });
     }
 
@@ -253,18 +232,8 @@ impl<'a> Asked<'a> {
         wide.each(width, || TooWide { weight }, |row, _, [_]| self.falls(row));
         let proof = || Crown { weight, is_limited: false };
         crown.each(width, proof, |row, _, [thickness, _]| {
-            self.stands(row, at_crown(Mode::Overturning, [thickness, zero()], zero(), None));
+            let found = [thickness, zero(), zero(), zero()];
+            self.stands(row, LaneState::new(Mode::Overturning, found, None));
         });
     }
-}
-
-/// A state that turns about the crown.
-fn at_crown(
-    mode: Mode,
-    [thickness, intrinsic_thrust]: [DoubleDoubleBall; 2],
-    thrust: DoubleDoubleBall,
-    sliding_joint: Option<DoubleDoubleBall>,
-) -> LaneState {
-    let rotation_joint = zero();
-    LaneState { mode, thickness, thrust, intrinsic_thrust, rotation_joint, sliding_joint }
 }

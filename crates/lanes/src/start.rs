@@ -56,6 +56,11 @@ impl<const N: usize> Table<N> {
     }
 }
 
+/// A place for a table of each weight.
+const fn unfilled<T>() -> PerWeight<OnceLock<T>> {
+    PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() }
+}
+
 /// The least half opening, rad: below it other equations keep their digits.
 pub(super) const LEAST: f64 = 0.0625;
 
@@ -67,8 +72,7 @@ pub(super) fn rotates(weight: SelfWeight) -> [f64; 2] {
 
 /// By the half opening: the squares of `beta_r` and of the joint that is steepest at the thrust.
 pub(super) fn rotation(weight: SelfWeight) -> &'static Table<2> {
-    static TABLES: PerWeight<OnceLock<Table<2>>> =
-        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    static TABLES: PerWeight<OnceLock<Table<2>>> = unfilled();
     TABLES.get(weight).get_or_init(|| {
         Table::new(rotates(weight), |alpha| {
             let [beta, _, h] = start::rotational(weight, &alpha);
@@ -93,8 +97,7 @@ pub(super) fn touches_above(weight: SelfWeight) -> [f64; 2] {
 
 /// By the place of a thickness: the square of `beta_r` where (2) and (5) hold.
 pub(super) fn above(weight: SelfWeight) -> &'static Table<1> {
-    static TABLES: PerWeight<OnceLock<Table<1>>> =
-        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    static TABLES: PerWeight<OnceLock<Table<1>>> = unfilled();
     TABLES.get(weight).get_or_init(|| {
         Table::new(touches_above(weight), |place| {
             let [beta, _] = start::rotational_with_thickness(weight, &place.powi(4));
@@ -106,8 +109,7 @@ pub(super) fn above(weight: SelfWeight) -> &'static Table<1> {
 /// By the half opening: the square of `beta_r` and the thickness of the rotational state, and the thickness from which
 /// the line of the largest thrust touches the crown.
 pub(super) fn below(weight: SelfWeight) -> &'static Table<3> {
-    static TABLES: PerWeight<OnceLock<Table<3>>> =
-        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    static TABLES: PerWeight<OnceLock<Table<3>>> = unfilled();
     TABLES.get(weight).get_or_init(|| {
         Table::new(rotates(weight), |alpha| {
             let [beta, rotates, _] = start::rotational(weight, &alpha);
@@ -178,8 +180,7 @@ pub(super) const THRUSTS: [f64; 2] = [0.0625, 0.9921875];
 
 /// By the thrust: the square of `beta_r` where (2) and (5) hold.
 pub(super) fn shoulder(weight: SelfWeight) -> &'static Table<1> {
-    static TABLES: PerWeight<OnceLock<Table<1>>> =
-        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    static TABLES: PerWeight<OnceLock<Table<1>>> = unfilled();
     TABLES.get(weight).get_or_init(|| {
         Table::new(THRUSTS, |h| {
             let [beta, ..] = start::rotational_with_thrust(weight, &h);
@@ -224,8 +225,7 @@ impl StartPlane {
 /// By the half opening and the thrust: the square of `beta_r` where (3) and (5) hold, negative where the crown is
 /// touched.
 pub(super) fn plane(weight: SelfWeight) -> &'static StartPlane {
-    static PLANES: PerWeight<OnceLock<StartPlane>> =
-        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    static PLANES: PerWeight<OnceLock<StartPlane>> = unfilled();
     PLANES
         .get(weight)
         .get_or_init(|| StartPlane::new(|alpha, h| start::touching_square_below(weight, alpha, h)))
