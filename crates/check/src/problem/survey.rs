@@ -22,7 +22,9 @@
 //! half opening rises and the radius `(s²/4 + f²)/(2f)` is convex in the rise and rises with the span: so one arch is
 //! at least as unsafe as all of the step.
 
-use super::measures::{Circle, Length, MeasureError, Measures, exceeds, of_span_and_rise, radii};
+use super::measures::{
+    Circle, Length, MeasureError, Measures, circle, exceeds, of_span_and_rise, radii,
+};
 use super::{Arch, ArchError, Friction, is_thickness};
 use crate::arch::SelfWeight;
 use crate::number::{AstroInterval, Enclosure, ExactNumber, Ternary, says, worded};
@@ -129,6 +131,16 @@ says!(SurveyError {
     MeasureError => Self::Measures;
 });
 
+impl Side {
+    /// The one of two that decides on this side.
+    fn of<T>(self, [least_safe, safest]: [T; 2]) -> T {
+        match self {
+            Self::Unsafe => least_safe,
+            Self::Safe => safest,
+        }
+    }
+}
+
 impl SurveyVerdict {
     /// The verdict in a sentence.
     pub const fn sentence(self) -> &'static str {
@@ -193,15 +205,6 @@ impl Survey {
         &self.shape
     }
 
-    /// Friction of the arches that decide on a side.
-    pub fn friction_at(&self, side: Side) -> &Friction {
-        let [least, largest] = &self.friction;
-        match side {
-            Side::Unsafe => least,
-            Side::Safe => largest,
-        }
-    }
-
     /// Least and largest half opening, rad: that of the lowest arch of the longest span, and of the highest of the
     /// shortest.
     pub fn half_opening(&self) -> [ExactNumber; 2] {
@@ -218,15 +221,8 @@ impl Survey {
         let Shape::Free { half_opening: [narrow, wide], thickness } = &self.shape else {
             return None;
         };
-        let alpha = match side {
-            Side::Unsafe => wide,
-            Side::Safe => narrow,
-        };
-        let thickness = thickness.as_ref().map(|[thin, thick]| match side {
-            Side::Unsafe => thin.clone(),
-            Side::Safe => thick.clone(),
-        });
-        Some(Bounding { arch: self.arch(alpha.clone(), side)?, thickness })
+        let thickness = thickness.clone().map(|range| side.of(range));
+        Some(Bounding { arch: self.arch(side.of([wide, narrow]).clone(), side)?, thickness })
     }
 
     /// Corners of the course on a side, from the least `q` to the largest, where span, rise and thickness are measured;
@@ -235,10 +231,7 @@ impl Survey {
         let Shape::Spanned { span, rise, .. } = &self.shape else { return None };
         let [[short, long], [low, high]] =
             [span, rise].map(|range| range.each_ref().map(|x| x.metres().clone()));
-        let middle = match side {
-            Side::Unsafe => [long.clone(), high.clone()],
-            Side::Safe => [short.clone(), low.clone()],
-        };
+        let middle = side.of([[&long, &high], [&short, &low]]).map(BigRational::clone);
         Some([[long, low], middle, [short, high]])
     }
 
@@ -247,7 +240,7 @@ impl Survey {
     /// (the claim `survey-worst`).
     pub fn decisive(&self, side: Side) -> Option<SpanAndRise> {
         let [lowest, _, highest] = self.course(side)?;
-        Some(if side == Side::Unsafe { highest } else { lowest })
+        Some(side.of([highest, lowest]))
     }
 
     /// Tells whether a step, given by its ends, lies on one leg of the course on a side and goes its way.
@@ -261,25 +254,24 @@ impl Survey {
     /// An arch at least as unsafe, or as safe, as all of a side's friction and thickness on the step from `first` to
     /// `last` of its course; if the two are one, the arch that is there.
     pub fn bounding(&self, side: Side, [first, last]: [&SpanAndRise; 2]) -> Option<Bounding> {
-        let (circle, thickness) = self.thickness_at(side)?;
-        let at = if side == Side::Unsafe { last } else { first };
-        let alpha = ExactNumber::twice_arctangent(&at[1] * BigInt::from(2) / &at[0]);
+        let [span, rise] = side.of([last, first]);
+        let [tangent, _] = circle(span, rise);
         let radius = Length::new(self.radius(side, [first, last]));
-        let thickness = Measures::new(circle, radius, None).thickness(thickness).ok()?;
-        Some(Bounding { arch: self.arch(alpha, side)?, thickness: Some(thickness) })
+        self.spanned(ExactNumber::twice_arctangent(tangent), radius, side)
     }
 
     /// Largest radius on a step of the unsafe course, least of one on the safe course, at the measured circle.
     fn radius(&self, side: Side, [first, last]: [&SpanAndRise; 2]) -> BigRational {
-        let [low, high] = [first, last].map(|at| radius(&at[0], &at[1]));
+        let [[_, one], [_, other]] = [first, last].map(|[span, rise]| circle(span, rise));
+        let [least, largest] = if exceeds(&one, &other) { [other, one] } else { [one, other] };
         match side {
-            Side::Unsafe => larger(low, high),
+            Side::Unsafe => largest,
             Side::Safe => {
                 let half = &first[0] / BigInt::from(2);
                 let has_least = is_same(&first[0], &last[0])
                     && exceeds(&half, &first[1])
                     && exceeds(&last[1], &half);
-                if has_least { half } else { smaller(low, high) }
+                if has_least { half } else { least }
             }
         }
     }
@@ -289,23 +281,15 @@ impl Survey {
     /// though this one need not be of them.
     pub fn beyond(&self, side: Side) -> Option<Bounding> {
         let Shape::Spanned { span, rise, .. } = &self.shape else { return None };
-        let (circle, thickness) = self.thickness_at(side)?;
         let ([narrow, wide], [small, large]) = (self.half_opening(), radii(span, rise));
-        let (alpha, radius) = match side {
-            Side::Unsafe => (wide, large),
-            Side::Safe => (narrow, small),
-        };
-        let measures = Measures::new(circle, radius, None);
-        let thickness = measures.thickness(thickness).ok()?;
-        Some(Bounding { arch: self.arch(alpha, side)?, thickness: Some(thickness) })
+        let (alpha, radius) = side.of([(wide, large), (narrow, small)]);
+        self.spanned(alpha, radius, side)
     }
 
     /// Thickness of the arches that decide on a side, where it is measured, and the circle.
     pub fn thickness_at(&self, side: Side) -> Option<(Circle, &Length)> {
-        let Shape::Spanned { circle, thickness: [thin, thick], .. } = &self.shape else {
-            return None;
-        };
-        Some((*circle, if side == Side::Unsafe { thin } else { thick }))
+        let Shape::Spanned { circle, thickness, .. } = &self.shape else { return None };
+        Some((*circle, side.of(thickness.each_ref())))
     }
 
     /// Span, rise and thickness of the arch at a place of a side's course.
@@ -316,8 +300,14 @@ impl Survey {
     }
 
     fn arch(&self, half_opening: ExactNumber, side: Side) -> Option<Arch> {
-        let friction = self.friction_at(side).clone();
-        Arch::new_with(self.weight, half_opening, friction, false).ok()
+        Arch::new_with(self.weight, half_opening, side.of(self.friction.clone()), false).ok()
+    }
+
+    /// Arch of a half opening and of a radius at the measured circle, with the friction and the thickness of a side.
+    fn spanned(&self, half_opening: ExactNumber, radius: Length, side: Side) -> Option<Bounding> {
+        let (circle, thickness) = self.thickness_at(side)?;
+        let thickness = Measures::new(circle, radius, None).thickness(thickness).ok()?;
+        Some(Bounding { arch: self.arch(half_opening, side)?, thickness: Some(thickness) })
     }
 }
 
@@ -346,25 +336,11 @@ pub(crate) fn is_same(a: &BigRational, b: &BigRational) -> bool {
     !exceeds(a, b) && !exceeds(b, a)
 }
 
-fn larger(a: BigRational, b: BigRational) -> BigRational {
-    if exceeds(&b, &a) { b } else { a }
-}
-
-fn smaller(a: BigRational, b: BigRational) -> BigRational {
-    if exceeds(&a, &b) { b } else { a }
-}
-
 /// Tells whether numbers rise all the way or fall all the way; of neighbours some may be the same.
 fn are_in_turn(numbers: [&BigRational; 4]) -> bool {
     let mut pairs = numbers.windows(2);
     pairs.clone().all(|pair| !exceeds(pair[0], pair[1]))
         || pairs.all(|pair| !exceeds(pair[1], pair[0]))
-}
-
-/// Radius of the circle through the crown and the springings.
-fn radius(span: &BigRational, rise: &BigRational) -> BigRational {
-    let half = span / BigInt::from(2);
-    (&half * &half + rise * rise) / (rise * BigInt::from(2))
 }
 
 /// Checks that the first end is not above the last; open if they cannot be told apart.

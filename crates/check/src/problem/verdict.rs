@@ -17,7 +17,8 @@
 //! that to the signs at the crown, at the shoulder, and at the joint where the moment about the intrados is least: the
 //! root of (5), or an end of the half arch. Where the line comes nearest to the intrados is another joint.
 
-use super::{Arch, Condition, Equation, Fixed, Landmark, Mode, Quantity, System};
+use super::system::system;
+use super::{Arch, Condition, Landmark, Mode, Quantity, System};
 use super::{inward_friction, room_for_steepest};
 use crate::arch::{Configuration, SelfWeight, Unknown, contact};
 use crate::number::{Dyadic, Engine, ExactNumber, Ternary, worded};
@@ -75,25 +76,17 @@ worded! {
 impl Verdict {
     /// The system whose root decides it: the limit, or the joint of the least moment.
     pub(super) fn system(&self, arch: &Arch) -> System {
-        use {Equation as E, Fixed as F, Unknown as U};
         let weight = arch.weight();
         match self {
             Self::Slides => Mode::Sliding.system(weight),
             Self::TooWide if !arch.is_limited() => Landmark::OverturningEnd.system(weight),
-            Self::TooWide => System {
-                weight,
-                unknowns: &[U::HalfOpening, U::Thrust, U::SlidingJoint],
-                equations: &[E::UpperThrust, E::InnerSliding, E::Steepest],
-                fixed: &[(U::RotationJoint, F::Integer(0)), (U::Thickness, F::Integer(2))],
+            Self::TooWide => system! { weight;
+                HalfOpening Thrust SlidingJoint; UpperThrust InnerSliding Steepest;
+                RotationJoint = Integer(0), Thickness = Integer(2)
             },
             Self::TooThin { mode, .. } => mode.system(weight),
             Self::Stands(standing) => match standing.nearest {
-                Nearest::Haunch => System {
-                    weight,
-                    unknowns: &[U::RotationJoint],
-                    equations: &[E::Tangency],
-                    fixed: &[],
-                },
+                Nearest::Haunch => System::tangent(weight),
                 _ => System { weight, unknowns: &[], equations: &[], fixed: &[] },
             },
         }
