@@ -36,6 +36,7 @@ mod extent;
 mod joints;
 mod known;
 mod landmark;
+mod length;
 mod line;
 pub mod measures;
 mod mode;

@@ -22,9 +22,8 @@
 //! half opening rises and the radius `(s²/4 + f²)/(2f)` is convex in the rise and rises with the span: so one arch is
 //! at least as unsafe as all of the step.
 
-use super::measures::{
-    Circle, Length, MeasureError, Measures, circle, exceeds, of_span_and_rise, radii,
-};
+use super::length::exceeds;
+use super::measures::{Circle, Length, MeasureError, Measures, circle, of_span_and_rise, radii};
 use super::{Arch, ArchError, Friction, is_thickness};
 use crate::arch::SelfWeight;
 use crate::number::{AstroInterval, Enclosure, ExactNumber, Ternary, says, worded};
