@@ -83,7 +83,6 @@ impl Decimal {
     }
 
     /// The decimal without the zeros at its end.
-    #[cfg(feature = "mpfr")]
     pub(super) fn shortened(&self) -> Self {
         let kept = self.digits.trim_end_matches('0');
         let zeros = (self.digits.len() - kept.len()) as i64;

@@ -28,7 +28,7 @@ impl<E: Engine> Tens<E> {
         Self { bits, squares: Vec::new(), others: Vec::new() }
     }
 
-    /// The integer with the digits given (each 0 to 9), the most significant first.
+    /// The integer with the digits given, as they are written, the most significant first.
     pub fn integer(&mut self, digits: &[u8]) -> E {
         while LEAF << self.squares.len() < digits.len() {
             let next = match self.squares.last() {
@@ -90,7 +90,7 @@ impl<E: Engine> Tens<E> {
 fn words(digits: &[u8]) -> Vec<u64> {
     let mut words: Vec<u64> = Vec::new();
     for chunk in digits.chunks(CHUNK) {
-        let digit = |n: u64, digit: &u8| 10 * n + u64::from(*digit);
+        let digit = |n: u64, digit: &u8| 10 * n + u64::from(*digit - b'0');
         let mut carry = u128::from(chunk.iter().fold(0, digit));
         let scale = u128::from(10u64.pow(chunk.len() as u32));
         for word in &mut words {
@@ -114,12 +114,12 @@ mod tests {
     fn digits_are_split_and_joined() {
         let bits = 12_000;
         let mut tens = Tens::<AstroInterval>::new(bits);
-        let all: Vec<u8> = (0..3 * LEAF).map(|i| (i * i + i / 7) as u8 % 10).collect();
+        let all: Vec<u8> = (0..3 * LEAF).map(|i| b'0' + (i * i + i / 7) as u8 % 10).collect();
         let like = AstroInterval::integer(0, bits);
         let (mut value, mut next) = (like.clone(), 0);
         for length in [1, 17, 18, 19, LEAF - 1, LEAF, LEAF + 1, 2 * LEAF, 2 * LEAF + 1, 3 * LEAF] {
             for digit in &all[next..length] {
-                value = value * like.int(10) + like.int(i32::from(*digit));
+                value = value * like.int(10) + like.int(i32::from(*digit - b'0'));
             }
             next = length;
             let joined = tens.integer(&all[..length]);
@@ -131,7 +131,7 @@ mod tests {
     /// Where the result has fewer bits than the digits, it is an enclosure.
     #[test]
     fn more_digits_than_bits_are_enclosed() {
-        let digits: Vec<u8> = (0..3 * LEAF).map(|i| (7 * i + 1) as u8 % 10).collect();
+        let digits: Vec<u8> = (0..3 * LEAF).map(|i| b'0' + (7 * i + 1) as u8 % 10).collect();
         let exact = Tens::<AstroInterval>::new(12_000).integer(&digits);
         let rounded = Tens::<AstroInterval>::new(128).integer(&digits);
         let unit = exact.clone() * Tens::<AstroInterval>::new(12_000).power(-30);

@@ -6,13 +6,7 @@ use std::fmt;
 /// A decimal number as it is written: `[-]d[.d…][e±n]`. The zeros at the end of a whole number without a
 /// point only show its size.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Written {
-    negative: bool,
-    /// All digits without the point, from the first that is not zero; empty for zero.
-    digits: Vec<u8>,
-    /// The power of ten of the last digit.
-    exponent: i64,
-}
+pub struct Written(Decimal);
 
 /// The largest power of ten in a certificate, of either sign.
 const MAX_EXPONENT: i64 = 3_000_000;
@@ -38,40 +32,32 @@ impl Written {
         if whole == "0" && part.bytes().all(|b| b == b'0') && text != "0" {
             return None;
         }
-        let all = whole.bytes().chain(part.bytes()).map(|b| b - b'0');
-        let mut digits: Vec<u8> = all.skip_while(|digit| *digit == 0).collect();
-        let mut exponent = power - part.len() as i64;
-        if !mantissa.contains('.') {
-            let significant =
-                digits.iter().rposition(|digit| *digit != 0).map_or(0, |last| last + 1);
-            exponent += (digits.len() - significant) as i64;
-            digits.truncate(significant);
-        }
-        Some(Self { negative, digits, exponent })
+        let decimal = Decimal::new(negative, format!("{whole}{part}"), power - part.len() as i64);
+        Some(Self(if mantissa.contains('.') { decimal } else { decimal.shortened() }))
     }
 
     /// Tells whether the number is zero.
     pub fn is_zero(&self) -> bool {
-        self.digits.is_empty()
+        self.0.digits().is_empty()
     }
 
     /// Number of significant digits that are written.
     pub fn significant_digits(&self) -> usize {
-        self.digits.len()
+        self.0.significant_digits()
     }
 
     /// Enclosures of the two numbers between which the true value has to lie if this is its correct
     /// rounding to `digits` significant digits; `None` for zero, for a negative number, and if more
     /// digits are written.
     pub fn bounds<E: Engine>(&self, digits: usize, tens: &mut Tens<E>) -> Option<[E; 2]> {
-        if self.is_zero() || self.negative || self.significant_digits() > digits {
+        if self.is_zero() || self.0.is_negative() || self.significant_digits() > digits {
             return None;
         }
-        let value = tens.integer(&self.digits) * tens.power(self.exponent);
+        let value = tens.integer(self.0.digits().as_bytes()) * tens.power(self.0.exponent());
         let missing = (digits - self.significant_digits()) as i64;
-        let half = tens.power(self.exponent - missing) / value.int(2);
+        let half = tens.power(self.0.exponent() - missing) / value.int(2);
         // Below a power of ten the places are ten times as fine.
-        let is_power = self.digits[0] == 1 && self.digits[1..].iter().all(|digit| *digit == 0);
+        let is_power = self.0.digits().trim_end_matches('0') == "1";
         let below = if is_power { half.clone() / half.int(10) } else { half.clone() };
         Some([value.clone() - below, value + half])
     }
@@ -80,8 +66,7 @@ impl Written {
 impl fmt::Display for Written {
     /// Writes the digits in the one spelling of [`Decimal`]: plain for ordinary sizes, else with a power of ten.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let digits = self.digits.iter().map(|digit| char::from(b'0' + digit)).collect();
-        Decimal::new(self.negative, digits, self.exponent).fmt(f)
+        self.0.fmt(f)
     }
 }
 
@@ -93,7 +78,7 @@ mod tests {
     #[test]
     fn only_decimals_are_read() {
         let written = Written::parse("0.0120").unwrap();
-        assert_eq!((written.significant_digits(), written.exponent), (3, -4));
+        assert_eq!((written.significant_digits(), written.0.exponent()), (3, -4));
         assert!(Written::parse("0").unwrap().is_zero());
         for text in [
             "",
