@@ -28,7 +28,7 @@ pub use complex_ball::{Complex, ComplexBall};
 pub use degrees::degrees;
 pub use magnitude::Magnitude;
 pub use rational::rational_like;
-pub use rounded::{Rounded, bits_of, terminating};
+pub use rounded::{Rounded, bits_of};
 pub use rounded_double::{nearest_double, rounded_double, rounded_words};
 pub use sine::{SineAnchor, arctangent};
 pub use stumpff::stumpff_with;

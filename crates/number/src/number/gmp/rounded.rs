@@ -160,7 +160,7 @@ impl Rounded {
 
 /// The exact value of `rational` where its decimal expansion ends within `digits` significant
 /// digits.
-pub fn terminating(rational: &Rational, digits: usize) -> Option<Decimal> {
+fn terminating(rational: &Rational, digits: usize) -> Option<Decimal> {
     // The expansion ends after as many places as the denominator has factors 2 or 5.
     let (rest, twos) = rational.denom().clone().remove_factor(&Integer::from(2));
     let (rest, fives) = rest.remove_factor(&Integer::from(5));
@@ -169,11 +169,9 @@ pub fn terminating(rational: &Rational, digits: usize) -> Option<Decimal> {
         return None;
     }
     let scaled = rational.clone().abs() * Integer::from(10).pow(places);
-    let exponent = -i64::from(places);
     let text = scaled.numer().to_string();
-    let kept = text.trim_end_matches('0');
-    let exponent = exponent + (text.len() - kept.len()) as i64;
-    (kept.len() <= digits).then(|| Decimal::new(*rational < 0, kept.to_owned(), exponent))
+    let decimal = Decimal::new(*rational < 0, text, -i64::from(places)).shortened();
+    (decimal.significant_digits() <= digits).then_some(decimal)
 }
 
 /// An estimate, off by one at most, of the power of ten just above a positive number.
