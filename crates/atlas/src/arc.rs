@@ -13,7 +13,8 @@ use super::trace::Piece;
 use super::tube::Tube;
 use super::variable::Variable;
 use crate::arch::haunch::opening_variable_at_half;
-use crate::number::{Ball, Dual, Enclosure, Field, Jet, Magnitude, Real, Stumpff};
+use crate::number::{Ball, Dual, Enclosure, Field, Jet, Real, Stumpff};
+use crate::prover::arithmetic::Arithmetic;
 
 /// A quantity that is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -50,7 +51,7 @@ pub struct CubicArc {
 }
 
 /// More than the rounding of the doubles can be, for values of a few units.
-pub(super) const ROUNDING: f64 = 1e-14;
+const ROUNDING: f64 = 1e-14;
 /// More than `1/ln 10`.
 const ABOVE: f64 = 0.435;
 
@@ -105,15 +106,28 @@ impl Coordinate {
     }
 }
 
-pub(super) fn bound(x: &Ball) -> f64 {
-    Magnitude::upper(x.mid()).plus(x.rad()).to_float().to_f64()
+impl CubicArc {
+    /// Cubic of a quantity by its coefficients about the ends, and on all of the part for the fourth derivative; what
+    /// is beside them, on all of it, is told by `beside`.
+    pub(super) fn of(
+        [from, to]: [f64; 2],
+        jet: impl Fn(&Ball, usize) -> Option<Vec<Ball>>,
+        beside: impl FnOnce(&Ball) -> Option<f64>,
+    ) -> Option<Self> {
+        let ends = [jet(&exact(from), 1)?, jet(&exact(to), 1)?];
+        let [values, slopes] = [0, 1].map(|k| ends.each_ref().map(|end| end[k].mid().to_f64()));
+        let whole = exact(from).hull(&exact(to));
+        let fourth = jet(&whole, 4)?.swap_remove(4);
+        let half = (to - from) / 2.0;
+        let by_length = fourth.bound() * half.powi(4) * (1.0 + ROUNDING) + ROUNDING;
+        let off = by_length + beside(&whole)?;
+        off.is_finite().then_some(Self { values, slopes, off, by_length })
+    }
 }
 
 /// A quantity on a part of a piece; `None` in a gap, or where nothing bounds it.
 pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Option<CubicArc> {
-    let (form, tube) = (piece.form(), piece.tube()?);
-    let whole = exact(from).hull(&exact(to));
-    let half = (to - from) / 2.0;
+    let (form, tube) = (piece.form, piece.tube?);
     let jet = |s: &Ball, order: usize| -> Option<Vec<Ball>> {
         let number = |given: &Ball| Jet::constant(given.with_precision(BITS), order);
         let line = Jet::new(vec![s.clone(), exact(1.0)], order);
@@ -123,13 +137,7 @@ pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Optio
         let of = if coordinate == Coordinate::LogThickness { logarithm(of)? } else { of };
         of.iter().all(Enclosure::is_bounded).then_some(of)
     };
-    let by_cubic = || {
-        let ends = [jet(&exact(from), 1)?, jet(&exact(to), 1)?];
-        let [values, slopes] = [0, 1].map(|k| ends.each_ref().map(|end| end[k].mid().to_f64()));
-        let by_length = bound(&jet(&whole, 4)?[4]) * half.powi(4) * (1.0 + ROUNDING) + ROUNDING;
-        let off = by_length + by_tube(form, coordinate, &whole, tube)?;
-        off.is_finite().then_some(CubicArc { values, slopes, off, by_length })
-    };
+    let by_cubic = CubicArc::of([from, to], jet, |s| by_tube(form, coordinate, s, tube));
     let by_chord = || {
         let on = |s: &Ball| -> Option<Ball> {
             let at = form.spot(&Ball::clone, s, &tube.enclosure(s));
@@ -154,12 +162,12 @@ pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Optio
         let slope = (values[1] - values[0]) / (to - from);
         // Both ends of the chord, and so all of it, are in what holds the quantity.
         let width = |x: &Ball| 2.0 * x.rad().to_float().to_f64();
-        let off = width(&on(&whole)?) + ROUNDING;
+        let off = width(&on(&exact(from).hull(&exact(to)))?) + ROUNDING;
         let by_length = (off - width(&ends[0]).max(width(&ends[1]))).max(0.0);
         Some(CubicArc { values, slopes: [slope; 2], off, by_length })
     };
     // What has no slope at an end, as a square root, has a chord.
-    match (by_cubic(), by_chord()) {
+    match (by_cubic, by_chord()) {
         (Some(cubic), Some(chord)) if chord.off < cubic.off => Some(chord),
         (cubic, chord) => cubic.or(chord),
     }
@@ -171,7 +179,7 @@ fn by_tube(form: &CurveForm, coordinate: Coordinate, s: &Ball, tube: &Tube) -> O
     let x = Dual::variables(&tube.enclosure(s));
     let of = coordinate.of(form, &form.spot(&number, &Dual::constant(s.clone()), &x));
     let widths = tube.widths.iter().map(|width| width.to_float().to_f64());
-    let off: f64 = widths.enumerate().map(|(k, width)| bound(&of.derivative(k)) * width).sum();
+    let off: f64 = widths.enumerate().map(|(k, width)| of.derivative(k).bound() * width).sum();
     if coordinate != Coordinate::LogThickness {
         return Some(off * (1.0 + ROUNDING));
     }

@@ -19,7 +19,7 @@ pub(super) struct TubeCell<'a> {
 impl<'a> TubeCell<'a> {
     pub(super) fn new(piece: &Piece<'a>) -> Option<Self> {
         let nodes = piece.nodes().map(Node::clone);
-        Some(Self { form: piece.form(), nodes, tube: piece.tube()?.clone() })
+        Some(Self { form: piece.form, nodes, tube: piece.tube?.clone() })
     }
 
     pub(super) fn range(&self) -> [f64; 2] {

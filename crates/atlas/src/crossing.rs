@@ -109,7 +109,7 @@ impl MonotoneRun<'_> {
         let of_curve = |place: &Place| place.coordinate(variable).cloned();
         let inner =
             |cell: Option<&TubeCell>, which: usize| Some(cell?.ends(variable)?[which].clone());
-        let [start, end] = trace.ends();
+        let [start, end] = &trace.ends;
         let from = match self.first {
             0 => of_curve(start),
             _ => inner(self.cells.first(), 0),

@@ -261,7 +261,7 @@ impl Step {
 /// The quantities at a parameter of a piece: at a node, where the root is enclosed on its own, nearer than by the tube.
 fn place(piece: &Piece, parameter: f64) -> Option<Place> {
     match piece.nodes().into_iter().find(|node| node.sketch.s == parameter) {
-        Some(node) => Some(Place::new(piece.form(), &exact(parameter), &node.root)),
+        Some(node) => Some(Place::new(piece.form, &exact(parameter), &node.root)),
         None => piece.place(parameter),
     }
 }

@@ -82,7 +82,7 @@ impl Part {
                     let [low, high] = piece.range();
                     phi.lower() >= low && phi.upper() <= high
                 })?;
-                in_tube(&section.form, piece.tube()?, phi, BITS).ok()
+                in_tube(&section.form, piece.tube?, phi, BITS).ok()
             }
             PartShape::Curved(_) => None,
         }

@@ -67,7 +67,7 @@ pub fn point(
     }
     let (form, walk) = leg_to(curve, weight, ends, &s)?;
     let piece = pieces_of(&form, &walk).last().filter(|piece| piece.is_over(&s));
-    let tube = piece.and_then(|piece| piece.tube());
+    let tube = piece.and_then(|piece| piece.tube);
     let tube = tube.ok_or_else(|| Undecided::new("the curve is not proved at this parameter"))?;
     for attempt in 0..ATTEMPTS {
         let bits = bits_of(digits) + (GUARD << attempt);

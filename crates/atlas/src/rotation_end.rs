@@ -4,7 +4,7 @@
 //! At the origin the joint is the half opening times the root of a ratio, which is regular. At the end of rotation it
 //! falls upright, like a square root, and is the parameter itself.
 
-use super::arc::{CubicArc, ROUNDING, bound};
+use super::arc::CubicArc;
 use super::cubic::exact;
 use super::curve::Curve;
 use super::end::{CurveEnd, EndValues};
@@ -102,10 +102,10 @@ fn section(
 }
 
 /// The half opening over the joint, on a part of a piece of that; `None` in a gap.
-pub fn over_joint(piece: &Piece, [from, to]: [f64; 2]) -> Option<CubicArc> {
-    let tube = piece.tube()?;
-    let index = piece.form().unknowns.iter().position(|v| *v == Variable::HalfOpening)?;
-    let jet = |joint: &Ball, order: usize| -> Vec<Ball> {
+pub fn over_joint(piece: &Piece, range: [f64; 2]) -> Option<CubicArc> {
+    let tube = piece.tube?;
+    let index = piece.form.unknowns.iter().position(|v| *v == Variable::HalfOpening)?;
+    let jet = |joint: &Ball, order: usize| -> Option<Vec<Ball>> {
         let square = Jet::new(vec![joint.clone(), exact(1.0)], order).square();
         let cubic = tube.about(square.value()).swap_remove(index);
         let step = [joint.int(0)].into_iter().chain((1..=order).map(|k| square.coefficient(k)));
@@ -115,15 +115,9 @@ pub fn over_joint(piece: &Piece, [from, to]: [f64; 2]) -> Option<CubicArc> {
             .into_iter()
             .rev()
             .fold(zero, |sum, term| sum * &step + &Jet::constant(term, order));
-        (0..=order).map(|k| of.coefficient(k)).collect()
+        Some((0..=order).map(|k| of.coefficient(k)).collect())
     };
-    let ends = [from, to].map(|joint| jet(&exact(joint), 1));
-    let [values, slopes] = [0, 1].map(|k| ends.each_ref().map(|end| end[k].mid().to_f64()));
-    let half = (to - from) / 2.0;
-    let fourth = jet(&exact(from).hull(&exact(to)), 4).swap_remove(4);
-    let by_length = bound(&fourth) * half.powi(4) * (1.0 + ROUNDING) + ROUNDING;
-    let off = by_length + tube.widths[index].to_float().to_f64();
-    off.is_finite().then_some(CubicArc { values, slopes, off, by_length })
+    CubicArc::of(range, jet, |_| Some(tube.widths[index].to_float().to_f64()))
 }
 
 #[cfg(test)]

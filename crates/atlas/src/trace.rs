@@ -28,7 +28,7 @@ pub struct Trace {
     pub curve: Curve,
     /// The self-weight model.
     pub weight: SelfWeight,
-    ends: [Place; 2],
+    pub(super) ends: [Place; 2],
     parameters: [Ball; 2],
     legs: Vec<(CurveForm, Walk)>,
 }
@@ -36,10 +36,10 @@ pub struct Trace {
 /// A piece of a curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece<'a> {
-    form: &'a CurveForm,
+    pub(super) form: &'a CurveForm,
     from: &'a Node,
     to: &'a Node,
-    tube: Option<&'a Tube>,
+    pub(super) tube: Option<&'a Tube>,
 }
 
 /// A node of a curve.
@@ -101,11 +101,6 @@ impl Trace {
     /// The parameters of the ends.
     pub fn parameters(&self) -> &[Ball; 2] {
         &self.parameters
-    }
-
-    /// The quantities of the ends.
-    pub(super) fn ends(&self) -> &[Place; 2] {
-        &self.ends
     }
 
     /// The tube over a parameter, with its form.
@@ -308,19 +303,9 @@ impl<'a> Piece<'a> {
         slope.is_bounded().then_some(slope)
     }
 
-    /// The equations.
-    pub(super) fn form(&self) -> &'a CurveForm {
-        self.form
-    }
-
     /// Nodes of the piece.
     pub(super) fn nodes(&self) -> [&'a Node; 2] {
         [self.from, self.to]
-    }
-
-    /// Tube between its nodes, if that is proved.
-    pub(super) fn tube(&self) -> Option<&'a Tube> {
-        self.tube
     }
 
     /// The quantities at a parameter of the piece.

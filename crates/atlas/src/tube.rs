@@ -48,10 +48,6 @@ const LEAST: i64 = -44;
 /// Number of times that a tube that is not mapped into itself is widened.
 const TRIALS: usize = 4;
 
-fn size(x: &Ball) -> Magnitude {
-    Magnitude::upper(x.mid()).plus(x.rad())
-}
-
 /// The set symmetric about zero of a half-width.
 fn about_zero(width: Magnitude) -> Ball {
     Ball::new(Float::new(32), width, BITS)
@@ -96,7 +92,7 @@ fn contracted(
     centre: &[Ball],
     (matrix, start): (&[Vec<Ball>], &[Ball]),
 ) -> Option<Contraction> {
-    let wider = |k: &Ball| about_zero(size(k).shifted(1).plus(Magnitude::power_of_two(LEAST)));
+    let wider = |k: &Ball| about_zero(k.size().shifted(1).plus(Magnitude::power_of_two(LEAST)));
     let mut domain: Vec<Ball> = start.iter().map(wider).collect();
     for _ in 0..TRIALS {
         let x: Vec<Ball> = centre.iter().zip(&domain).map(|(x, z)| x.clone() + z).collect();
@@ -135,7 +131,7 @@ impl Tube {
         let (s0, s1) = (exact(a.s), exact(b.s));
         let r = (s1.clone() - &s0) / s0.int(2);
         let middle = (s0.clone() + &s1) / s0.int(2);
-        let t = about_zero(size(&r));
+        let t = about_zero(r.size());
         let s = middle.clone() + &t;
         let cubics: Vec<Cubic> = (0..a.x.len())
             .map(|i| Cubic::new([a.x[i], b.x[i]], [a.slopes[i], b.slopes[i]], &r))
@@ -174,7 +170,7 @@ impl Tube {
             return None;
         }
         let slopes = slopes_of_root(&slopes, &matrix, &domain)?;
-        let widths = image.iter().map(size).collect();
+        let widths = image.iter().map(Ball::size).collect();
         let unique = domain.iter().map(Ball::rad).collect();
         let tube = Self { middle, cubics, unique, widths, slopes };
         let joins = |node: &Node| tube.holds(&exact(node.sketch.s), &node.root);
@@ -201,7 +197,7 @@ impl Tube {
         root.len() == self.cubics.len()
             && sides.into_iter().all(|((cubic, unique), root)| {
                 let offset = root.clone() - &cubic.about(&t)[0];
-                size(&offset) < *unique
+                offset.size() < *unique
             })
     }
 }
@@ -217,7 +213,7 @@ fn slopes_of_root(
     let n = slopes.len();
     let by_parameter: Vec<Ball> = slopes.iter().map(|r| r.derivative(n)).collect();
     let first = minus_product(matrix, &by_parameter);
-    let norm = |v: &[Ball]| v.iter().zip(domain).map(|(v, z)| size(v).over(z.rad())).max();
+    let norm = |v: &[Ball]| v.iter().zip(domain).map(|(v, z)| v.size().over(z.rad())).max();
     let q = norm(&krawczyk::spread(slopes, matrix, domain))?;
     let room = Magnitude::from_integer_down(1).minus_down(q);
     if room.is_zero() {

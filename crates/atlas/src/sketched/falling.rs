@@ -192,7 +192,8 @@ pub(super) fn fallen_stones(
         return furthest(arch, [falling], (&between, is_dilatant), lines);
     }
     let ring = Ring::new(arch.weight(), eta);
-    let angles: Vec<Angle<Ball>> = (0..all.last()).map(|index| stones::angle(all, index)).collect();
+    let angles: Vec<Angle<Ball>> =
+        (0..all.last()).map(|index| all.angle(index, stones::BITS)).collect();
     let crown_hinge = angles[0].clone();
     let at = Configuration { crown_hinge, ..given };
     // The haunch whose line is the furthest beyond.
@@ -241,7 +242,7 @@ fn steepest(angles: &[Angle<Ball>], grip: &joint::Grip<Ball>) -> Option<(Angle<B
 /// that asks for the most.
 fn sliding_stones(all: &Stones, at: Configuration<Ball>) -> Option<Configuration<Ball>> {
     let asked = |index: u64| {
-        let joint = stones::angle(all, index);
+        let joint = all.angle(index, stones::BITS);
         let thrust = joint::even_thrust(&joint, &at.half_opening);
         let friction =
             statics::shear_force(&joint, &thrust) / statics::normal_force(&joint, &thrust);

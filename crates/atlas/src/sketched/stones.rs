@@ -4,7 +4,7 @@ use super::stability::{ball, limited_by};
 use super::{Forces, Mark};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, Ring, Unknown};
-use crate::number::{Angle, Ball, Drawable};
+use crate::number::{Ball, Drawable};
 use crate::problem::Arch;
 use crate::problem::stones::{JointContact, Stones};
 use crate::prover::arithmetic::larger;
@@ -14,24 +14,15 @@ use couplet_stones::{VoussoirDigits, VoussoirLimit};
 pub(super) const BITS: u32 = 256;
 pub(super) const DIGITS: usize = 40;
 
-/// A joint by its index.
-pub(super) fn angle(stones: &Stones, index: u64) -> Angle<Ball> {
-    let is_crown = index == 0 && stones.has_joint_at_crown();
-    match is_crown {
-        true => Angle::zero(&Ball::integer(0, BITS)),
-        false => Angle::new(stones.joint(index, BITS)),
-    }
-}
-
 /// The joints of the right half but for the shoulder, from the crown, rad.
 pub(super) fn joints(stones: &Stones) -> Vec<f64> {
-    (0..stones.count() - 1).map(|index| angle(stones, index).rad.double()).collect()
+    (0..stones.last()).map(|index| stones.angle::<Ball>(index, BITS).rad.double()).collect()
 }
 
 /// Configuration of an arch of stones at its least thickness: the hinge at the intrados is the rotational
 /// joint, that of a keystone the hinge of the crown.
 pub(super) fn state(arch: &Arch, stones: &Stones, found: &VoussoirDigits) -> Configuration<Ball> {
-    let [first, haunch, _] = found.contacts.map(|(_, joint)| angle(stones, joint));
+    let [first, haunch, _] = found.contacts.map(|(_, joint)| stones.angle(joint, BITS));
     let at = arch.given(BITS).with(Unknown::Thickness, ball(&found.thickness));
     let at = at.with(Unknown::Thrust, ball(&found.thrust));
     let at = Configuration { rotation_joint: haunch, ..at };
@@ -49,7 +40,7 @@ pub(super) fn moment(
     (contact, joint): JointContact,
 ) -> Option<Ball> {
     let ring = Ring::new(arch.weight(), &at.thickness);
-    let at_joint = angle(stones, joint);
+    let at_joint = stones.angle(joint, BITS);
     let row = match contact {
         Contact::Extrados => crate::arch::joint::extrados(&at_joint, &ring),
         Contact::Intrados => crate::arch::joint::intrados(&at_joint, &ring),
@@ -84,8 +75,10 @@ pub(super) fn forces(
     let slips = |(contact, joint): &JointContact| {
         contact.is_hinge() || !stones.may_open(*joint, is_limited)
     };
-    let mark =
-        |(contact, joint): &JointContact| Mark { contact: *contact, at: angle(stones, *joint).rad };
+    let mark = |(contact, joint): &JointContact| Mark {
+        contact: *contact,
+        at: stones.angle(*joint, BITS).rad,
+    };
     let marks = limit.contacts.iter().filter(|contact| slips(contact)).map(mark).collect();
     let forces = Forces::new(arch.weight(), (&at, &joints(stones)), is_limited, &[moment], marks);
     Some(Forces { limited_by: Some(limited_by((stones, is_limited), limit)), ..forces })
