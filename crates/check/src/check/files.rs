@@ -18,21 +18,13 @@ pub const NO_MPFR: &str = "--engine mpfr, in a build that has it,";
 /// Words of an acceptance: its summary or its statement.
 pub type Words = fn(&AcceptedFile) -> String;
 
-/// Why not every file was accepted, in one line.
+/// Why a file, or not each of several, was accepted, in one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CheckFailure {
     /// At least one was refused.
     Refused(String),
     /// None was refused; one was not read or not checked, or a line could not be written.
     Open(String),
-}
-
-/// Verdict on a file.
-enum FileVerdict {
-    Accepted,
-    Refused,
-    /// Not checked, or not read.
-    Open,
 }
 
 /// Checks files in the arithmetic `engine`; `-` is standard input. Each gets one line on standard output: `accepted`,
@@ -46,12 +38,10 @@ pub fn check_files(
 ) -> Result<(), CheckFailure> {
     let (mut refused, mut open) = (0, 0);
     for name in names {
-        let (verdict, said) = verdict(name, engine, words, larger);
-        match verdict {
-            FileVerdict::Accepted => {}
-            FileVerdict::Refused => refused += 1,
-            FileVerdict::Open => open += 1,
-        }
+        let checked = check_one(name, engine, words, larger);
+        refused += usize::from(matches!(checked, Err(CheckFailure::Refused(_))));
+        open += usize::from(matches!(checked, Err(CheckFailure::Open(_))));
+        let (Ok(said) | Err(CheckFailure::Refused(said) | CheckFailure::Open(said))) = checked;
         print(format!("{}: {said}\n", visible_name(name)).as_bytes())?;
     }
     let all = names.len();
@@ -65,25 +55,26 @@ pub fn check_files(
     }
 }
 
-/// The verdict on a file, and its words.
-fn verdict(name: &OsStr, engine: Engine, words: Words, larger: &str) -> (FileVerdict, String) {
-    let bytes = match read(name) {
-        Ok(bytes) => bytes,
-        Err(error) => return (FileVerdict::Open, format!("not read: {}", reason(&error))),
-    };
+/// The words on a file that is accepted, or why it is not.
+fn check_one(
+    name: &OsStr,
+    engine: Engine,
+    words: Words,
+    larger: &str,
+) -> Result<String, CheckFailure> {
+    let unread = |error| CheckFailure::Open(format!("not read: {}", reason(&error)));
+    let bytes = read(name).map_err(unread)?;
+    let refused = |why: String| CheckFailure::Refused(format!("refused: {why}"));
     if bytes.len() as u64 > MAX_BYTES {
-        return (
-            FileVerdict::Refused,
-            format!("refused: the file has more than {MAX_BYTES} bytes"),
-        );
+        return Err(refused(format!("the file has more than {MAX_BYTES} bytes")));
     }
-    match engine.check(&bytes) {
-        Ok(accepted) => (FileVerdict::Accepted, format!("accepted  {}", words(&accepted))),
-        Err(limit @ Refusal::Limit(..)) => {
-            (FileVerdict::Open, format!("not checked: {limit}; {larger} checks up to {MAX_DIGITS}"))
-        }
-        Err(refusal) => (FileVerdict::Refused, format!("refused: {refusal}")),
-    }
+    let accepted = engine.check(&bytes).map_err(|refusal| match refusal {
+        Refusal::Limit(..) => CheckFailure::Open(format!(
+            "not checked: {refusal}; {larger} checks up to {MAX_DIGITS}"
+        )),
+        _ => refused(refusal.to_string()),
+    })?;
+    Ok(format!("accepted  {}", words(&accepted)))
 }
 
 /// The bytes of a file or of standard input, `-`: a little more than the most that is allowed at the most.
