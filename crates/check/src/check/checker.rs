@@ -196,5 +196,5 @@ fn exact<E: Engine>(values: &[Dyadic], bits: usize) -> Vec<E> {
 
 fn boxed<E: Engine>(witness: &Witness, bits: usize) -> Vec<E> {
     let sides = witness.centre.iter().zip(&witness.radius);
-    sides.map(|(centre, radius)| E::around(centre, radius, bits)).collect()
+    sides.map(|(centre, radius)| E::exact(centre, bits).widened_by(radius)).collect()
 }

@@ -45,11 +45,6 @@ pub trait Engine: Enclosure {
         let doublings = Self::exact(&Dyadic::new(false, vec![1], halvings as i32), bits);
         x * sum.widened_by(&tail) * doublings
     }
-
-    /// All numbers within `radius` of `centre`, with results to be rounded to at least `bits` bits.
-    fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self {
-        Self::exact(centre, bits).widened_by(radius)
-    }
 }
 
 impl Engine for AstroInterval {
