@@ -9,109 +9,98 @@ worded! {
     #[non_exhaustive]
     pub enum Quantity {
         /// `eta = t/r`, thickness over centreline radius.
-        Thickness = row("thickness", "eta = t/r", r"$\eta = t/r$"),
+        Thickness = ["thickness", "eta = t/r", r"$\eta = t/r$"],
         /// `mu`, the friction coefficient.
-        Friction = row("friction", "mu", r"$\mu$"),
+        Friction = ["friction", "mu", r"$\mu$"],
         /// `phi = atan(mu)`, rad.
-        FrictionAngle = row("friction_angle", "phi, rad", r"$\varphi$, rad"),
+        FrictionAngle = ["friction_angle", "phi, rad", r"$\varphi$, rad"],
         /// `phi` in degrees.
-        FrictionAngleDegrees = row("friction_angle_degrees", "phi, deg", r"$\varphi$, deg"),
+        FrictionAngleDegrees = ["friction_angle_degrees", "phi, deg", r"$\varphi$, deg"],
         /// `alpha`, the half-angle of embrace, rad.
-        HalfOpening = row("half_opening", "alpha, rad", r"$\alpha$, rad"),
+        HalfOpening = ["half_opening", "alpha, rad", r"$\alpha$, rad"],
         /// `alpha` in degrees.
-        HalfOpeningDegrees = row("half_opening_degrees", "alpha, deg", r"$\alpha$, deg"),
+        HalfOpeningDegrees = ["half_opening_degrees", "alpha, deg", r"$\alpha$, deg"],
         /// `h = H/(w r)`, the horizontal thrust.
-        Thrust = row("thrust", "h = H/(w r)", r"$h = H/(w r)$"),
+        Thrust = ["thrust", "h = H/(w r)", r"$h = H/(w r)$"],
         /// `eta h = H/(gamma d r²)`, the intrinsic thrust.
-        IntrinsicThrust = row("intrinsic_thrust", "eta h", r"$\eta h$"),
+        IntrinsicThrust = ["intrinsic_thrust", "eta h", r"$\eta h$"],
         /// `beta_r`, the inner rotational joint, rad from the crown.
-        RotationJoint = row("rotation_joint", "beta_r, rad", r"$\beta_r$, rad"),
+        RotationJoint = ["rotation_joint", "beta_r, rad", r"$\beta_r$, rad"],
         /// `beta_r` in degrees.
-        RotationJointDegrees = row("rotation_joint_degrees", "beta_r, deg", r"$\beta_r$, deg"),
+        RotationJointDegrees = ["rotation_joint_degrees", "beta_r, deg", r"$\beta_r$, deg"],
         /// `beta_s`, the inner sliding joint, rad from the crown; a mode without one has none.
-        SlidingJoint = row("sliding_joint", "beta_s, rad", r"$\beta_s$, rad"),
+        SlidingJoint = ["sliding_joint", "beta_s, rad", r"$\beta_s$, rad"],
         /// `beta_s` in degrees.
-        SlidingJointDegrees = row("sliding_joint_degrees", "beta_s, deg", r"$\beta_s$, deg"),
+        SlidingJointDegrees = ["sliding_joint_degrees", "beta_s, deg", r"$\beta_s$, deg"],
         /// `A = alpha cot(alpha/2)`.
-        OpeningVariable = row("A", "alpha cot(alpha/2)", r"$A = \alpha \cot(\alpha/2)$"),
+        OpeningVariable = ["A", "alpha cot(alpha/2)", r"$A = \alpha \cot(\alpha/2)$"],
         /// `p`, the moment of the forces in the crown about the centre. Like what follows of an asymmetric solution of
         /// (19).
-        CrownMoment = row("crown_moment", "p", r"$p$"),
+        CrownMoment = ["crown_moment", "p", r"$p$"],
         /// `v`, the vertical force in the crown.
-        VerticalForce = row("vertical_force", "v", r"$v$"),
+        VerticalForce = ["vertical_force", "v", r"$v$"],
         /// `b0`, the hinge right of the crown, rad from there.
-        CrownHinge = row("crown_hinge", "b0, rad", r"$b_0$, rad"),
+        CrownHinge = ["crown_hinge", "b0, rad", r"$b_0$, rad"],
         /// `b0` in degrees.
-        CrownHingeDegrees = row("crown_hinge_degrees", "b0, deg", r"$b_0$, deg"),
+        CrownHingeDegrees = ["crown_hinge_degrees", "b0, deg", r"$b_0$, deg"],
         /// The slip of the shoulder where the hinge next to the crown turns by one.
-        ShoulderSlip = row("shoulder_slip", "slip of the shoulder", "slip of the shoulder"),
+        ShoulderSlip = ["shoulder_slip", "slip of the shoulder", "slip of the shoulder"],
         /// The opening of the shoulder then.
-        ShoulderOpening = row("shoulder_opening", "opening of the shoulder", "opening of the shoulder"),
+        ShoulderOpening = ["shoulder_opening", "opening of the shoulder", "opening of the shoulder"],
         /// The slip of the inner joint then.
-        InnerSlip = row("inner_slip", "slip of the inner joint", "slip of the inner joint"),
+        InnerSlip = ["inner_slip", "slip of the inner joint", "slip of the inner joint"],
         /// The power of the weight then, which is that of friction.
-        Power = row("power", "w r", r"$w r$"),
+        Power = ["power", "w r", r"$w r$"],
         /// The friction below which no arch of this half opening stands.
-        SlidingFriction = row("sliding_friction", "mu at pure sliding", r"$\mu$ at pure sliding"),
+        SlidingFriction = ["sliding_friction", "mu at pure sliding", r"$\mu$ at pure sliding"],
         /// The friction from which collapse is purely rotational; infinite where none is enough.
         RotationalFriction =
-            row("rotational_friction", "mu from which nothing slides", r"$\mu$ from which nothing slides"),
+            ["rotational_friction", "mu from which nothing slides", r"$\mu$ from which nothing slides"],
         /// The largest thickness of an asymmetric solution of (19) that is found for an arch that stands.
-        AsymmetricThickness = row("asymmetric_thickness", "eta of (19)", r"$\eta$ of (19)"),
+        AsymmetricThickness = ["asymmetric_thickness", "eta of (19)", r"$\eta$ of (19)"],
         /// The least thickness at which an arch stands.
-        LeastThickness = row("least_thickness", "least eta", r"least $\eta$"),
+        LeastThickness = ["least_thickness", "least eta", r"least $\eta$"],
         /// The thickness over the least thickness.
-        GeometricSafety = row("geometric_safety", "eta over least eta", r"$\eta$ over least $\eta$"),
+        GeometricSafety = ["geometric_safety", "eta over least eta", r"$\eta$ over least $\eta$"],
         /// The least friction with which an arch of given thickness stands.
-        RequiredFriction = row("required_friction", "least mu", r"least $\mu$"),
+        RequiredFriction = ["required_friction", "least mu", r"least $\mu$"],
         /// The friction over the required one.
-        FrictionSafety = row("friction_safety", "mu over least mu", r"$\mu$ over least $\mu$"),
+        FrictionSafety = ["friction_safety", "mu over least mu", r"$\mu$ over least $\mu$"],
         /// The least admissible thrust.
-        LeastThrust = row("least_thrust", "least h", r"least $h$"),
+        LeastThrust = ["least_thrust", "least h", r"least $h$"],
         /// The joint that limits it, rad.
-        LeastThrustJoint = row("least_thrust_joint", "its joint, rad", "its joint, rad"),
+        LeastThrustJoint = ["least_thrust_joint", "its joint, rad", "its joint, rad"],
         /// The largest admissible thrust; infinite where it has no bound.
-        LargestThrust = row("largest_thrust", "largest h", r"largest $h$"),
+        LargestThrust = ["largest_thrust", "largest h", r"largest $h$"],
         /// The joint that limits it, rad.
-        LargestThrustJoint = row("largest_thrust_joint", "its joint, rad", "its joint, rad"),
+        LargestThrustJoint = ["largest_thrust_joint", "its joint, rad", "its joint, rad"],
         /// The span of the circle that is measured, m.
-        Span = row("span_m", "span, m", "span, m"),
+        Span = ["span_m", "span, m", "span, m"],
         /// The rise of that circle, m.
-        Rise = row("rise_m", "rise, m", "rise, m"),
+        Rise = ["rise_m", "rise, m", "rise, m"],
         /// The radius of the centreline, m.
-        Radius = row("radius_m", "r, m", r"$r$, m"),
+        Radius = ["radius_m", "r, m", r"$r$, m"],
         /// The thickness that an arch has, m.
-        GivenThicknessInMetres = row("thickness_m", "t, m", r"$t$, m"),
+        GivenThicknessInMetres = ["thickness_m", "t, m", r"$t$, m"],
         /// The thickness that an arch has, over the radius of the centreline.
-        GivenThickness = row("thickness_ratio", "t/r", "$t/r$"),
+        GivenThickness = ["thickness_ratio", "t/r", "$t/r$"],
         /// The least thickness, m.
-        ThicknessInMetres = row("least_thickness_m", "least t, m", r"least $t$, m"),
+        ThicknessInMetres = ["least_thickness_m", "least t, m", r"least $t$, m"],
         /// The weight of the whole arch, kN.
-        Weight = row("weight_kn", "2 w r alpha, kN", r"$2 w r \alpha$, kN"),
+        Weight = ["weight_kn", "2 w r alpha, kN", r"$2 w r \alpha$, kN"],
         /// The horizontal thrust, kN.
-        Force = row("thrust_kn", "H, kN", r"$H$, kN"),
+        Force = ["thrust_kn", "H, kN", r"$H$, kN"],
         /// The vertical force in the crown, kN.
-        VerticalForceInKilonewtons = row("vertical_force_kn", "V, kN", r"$V$, kN"),
+        VerticalForceInKilonewtons = ["vertical_force_kn", "V, kN", r"$V$, kN"],
         /// The least admissible thrust, kN.
-        LeastForce = row("least_thrust_kn", "least H, kN", r"least $H$, kN"),
+        LeastForce = ["least_thrust_kn", "least H, kN", r"least $H$, kN"],
         /// The largest admissible one, kN; infinite where it has no bound.
-        LargestForce = row("largest_thrust_kn", "largest H, kN", r"largest $H$, kN"),
+        LargestForce = ["largest_thrust_kn", "largest H, kN", r"largest $H$, kN"],
     }
     /// All of them, in order.
     pub const ALL;
     /// The one place where a quantity gets its names.
-    fn row -> QuantityNames;
-}
-
-/// Names of a quantity.
-struct QuantityNames {
-    name: &'static str,
-    symbol: &'static str,
-    latex: &'static str,
-}
-
-const fn row(name: &'static str, symbol: &'static str, latex: &'static str) -> QuantityNames {
-    QuantityNames { name, symbol, latex }
+    fn row -> [&'static str; 3];
 }
 
 /// A list with the asymmetric thickness behind it.
@@ -174,7 +163,7 @@ impl Quantity {
 
     /// The name used in files and on the command line; stable, and an identifier in every language.
     pub const fn name(self) -> &'static str {
-        self.row().name
+        self.row()[0]
     }
 
     /// The paper's letter for it, as people type it.
@@ -200,12 +189,12 @@ impl Quantity {
 
     /// The symbol of the paper and the unit.
     pub const fn symbol(self) -> &'static str {
-        self.row().symbol
+        self.row()[1]
     }
 
     /// Symbol for LaTeX.
     pub const fn latex(self) -> &'static str {
-        self.row().latex
+        self.row()[2]
     }
 
     /// The quantity in radians of which this is the value in degrees.

@@ -46,12 +46,6 @@ says!(ThicknessError {
     ParseExactError => Self::Number;
 });
 
-/// The number of a ratio to the radius, which may say that it is one: `0.1r`.
-fn bare_ratio(text: &str) -> &str {
-    let text = text.trim();
-    text.strip_suffix('r').map_or(text, str::trim_end)
-}
-
 /// The ratio of thickness to radius that a text says: of an arch in metres with a unit, a length or `r`; of another
 /// with or without `r`.
 ///
@@ -63,7 +57,8 @@ fn bare_ratio(text: &str) -> &str {
 pub fn thickness(text: &str, measures: Option<&Measures>) -> Result<ExactNumber, ThicknessError> {
     let text = text.trim();
     let shown = || shown(text);
-    let number = bare_ratio(text);
+    // A ratio may say that it is one: `0.1r`.
+    let number = text.strip_suffix('r').map_or(text, str::trim_end);
     let eta = match (text.parse::<Length>(), measures) {
         (Ok(length), Some(measures)) => measures.thickness(&length)?,
         (Ok(_), None) => return Err(ThicknessError::Length(shown())),
