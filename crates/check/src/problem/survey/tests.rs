@@ -73,8 +73,9 @@ fn a_course_bounds_every_arch_of_its_rectangle() {
             [Side::Unsafe, Side::Safe].map(|side| survey.course(side).unwrap());
         let [[span_0, span_1], [rise_0, rise_1]] =
             [lengths(span), lengths(rise)].map(|x| x.map(|x| x.metres().clone()));
-        let eta =
-            |at: &SpanAndRise, t: &BigRational| t / (radius(&at[0], &at[1]) + t / BigInt::from(2));
+        let eta = |at: &SpanAndRise, t: &BigRational| {
+            t / (&circle(&at[0], &at[1])[1] + t / BigInt::from(2))
+        };
         for i in 0..=6 {
             for j in 0..=6 {
                 let at = [
