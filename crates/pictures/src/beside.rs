@@ -1,5 +1,7 @@
 //! The room beside arches: how large they are on a sheet, and where.
 
+use crate::picture::Anchor;
+
 /// Names beside arches: places in units of `r` from the centre, and the room on the page beyond each.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Beside {
@@ -19,10 +21,10 @@ impl Beside {
 
     /// A name of a width that begins at a place, so far across from the centre; over the crown it has its middle there.
     pub(crate) fn name(across: f64, at: f64, room: f64) -> Self {
-        match across {
-            x if x > 0.3 => Self { left: Vec::new(), right: vec![(at, room)] },
-            x if x < -0.3 => Self { left: vec![(at, room)], right: Vec::new() },
-            _ => Self { left: vec![(at, room / 2.0)], right: vec![(at, room / 2.0)] },
+        match Anchor::beside(across) {
+            Anchor::Start => Self { left: Vec::new(), right: vec![(at, room)] },
+            Anchor::End => Self { left: vec![(at, room)], right: Vec::new() },
+            Anchor::Middle => Self { left: vec![(at, room / 2.0)], right: vec![(at, room / 2.0)] },
         }
     }
 

@@ -10,8 +10,9 @@ use super::metres::{Metres, Size};
 use super::numbers::{label, told};
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};
+use crate::picture::Anchor;
 use crate::picture::arcs::arcs;
-use crate::picture::dxf::{DxfAnchor, DxfFile};
+use crate::picture::dxf::DxfFile;
 use crate::problem::measures::LengthUnit;
 use crate::sketch::{Blocks, CROWN, Hull, WholeView, across};
 use std::io;
@@ -130,16 +131,11 @@ fn texts(dxf: &mut DxfFile, headings: &[String], names: &[(f64, f64, String)], o
     let lines = headings.iter().rev().filter(|words| !words.is_empty());
     for (line, words) in lines.enumerate() {
         let at = [0.0, out + (2.5 + 1.6 * line as f64) * LETTERS];
-        dxf.text("TEXT", words, (at, DxfAnchor::Middle), (LETTERS, 0.0));
+        dxf.text("TEXT", words, (at, Anchor::Middle), (LETTERS, 0.0));
     }
     for (joint, radius, name) in names {
         let at = polar(*joint, radius + LETTERS);
-        let anchor = match joint.sin() {
-            right if right > 0.3 => DxfAnchor::Start,
-            left if left < -0.3 => DxfAnchor::End,
-            _ => DxfAnchor::Middle,
-        };
-        dxf.text("TEXT", name, (at, anchor), (LETTERS, 0.0));
+        dxf.text("TEXT", name, (at, Anchor::beside(joint.sin())), (LETTERS, 0.0));
     }
 }
 
@@ -164,8 +160,8 @@ fn forces(dxf: &mut DxfFile, sketch: &Sketch, metres: &Metres, half: bool) {
     force(dxf, [[x, y - NEAR - ARROW], [x, y - NEAR]]);
     // On the right the half opening is told above the force.
     let (anchor, of_thrust) = match half {
-        true => (DxfAnchor::Start, [aside + ARROW + LETTERS / 2.0, y]),
-        false => (DxfAnchor::End, [aside - LETTERS, y + 1.4 * LETTERS]),
+        true => (Anchor::Start, [aside + ARROW + LETTERS / 2.0, y]),
+        false => (Anchor::End, [aside - LETTERS, y + 1.4 * LETTERS]),
     };
     for (at, words) in
         [(of_thrust, thrust(sketch, metres)), ([x + side * LETTERS, y - ARROW], reaction(loads))]
@@ -188,7 +184,7 @@ fn measure(dxf: &mut DxfFile, [from, to]: [[f64; 2]; 2], words: &str) {
     let [x, y] = [(from[0] + to[0]) / 2.0, (from[1] + to[1]) / 2.0];
     let at = [x + 2.0 * sign * across[0], y + 2.0 * sign * across[1]];
     let turn = if dx.abs() < dy.abs() { 90.0 } else { 0.0 };
-    dxf.text("DIMENSIONS", words, (at, DxfAnchor::Middle), (LETTERS, turn));
+    dxf.text("DIMENSIONS", words, (at, Anchor::Middle), (LETTERS, turn));
 }
 
 /// The centre, and the sizes of an arch that is measured.
@@ -215,7 +211,7 @@ fn dimensions(dxf: &mut DxfFile, sketch: &Sketch, metres: Option<&Metres>, half:
     let shoulder = radii.map(|radius| polar(alpha + 0.1, radius));
     dxf.line("DIMENSIONS", shoulder);
     let at = polar(alpha + 0.1, radii[1] + LETTERS);
-    dxf.text("DIMENSIONS", &thickness, (at, DxfAnchor::Start), (LETTERS, 0.0));
+    dxf.text("DIMENSIONS", &thickness, (at, Anchor::Start), (LETTERS, 0.0));
 }
 
 /// The geometry for programs that draw.

@@ -2,6 +2,7 @@
 //! value, each on a line.
 
 use super::arcs::Bulge;
+use super::svg::Anchor;
 use crate::problem::measures::LengthUnit;
 
 /// The number that a unit of length has there; no unit is that of the centreline's radius.
@@ -38,17 +39,6 @@ const SHEETS: &str = "*Paper_Space";
 
 /// Decimals of a length in these units.
 const DECIMALS: i32 = 7;
-
-/// The end of a text that is at its place, by the number it has.
-#[derive(Clone, Copy)]
-pub enum DxfAnchor {
-    /// The beginning.
-    Start = 0,
-    /// The middle.
-    Middle = 1,
-    /// The end.
-    End = 2,
-}
 
 impl DxfFile {
     /// A file with its layers and their colours by number, and the names of its blocks, up to the first block.
@@ -266,7 +256,7 @@ impl DxfFile {
         &mut self,
         layer: &str,
         words: &str,
-        (at, anchor): ([f64; 2], DxfAnchor),
+        (at, anchor): ([f64; 2], Anchor),
         (height, turn): (f64, f64),
     ) {
         self.begin("TEXT", layer, "AcDbText");
@@ -311,7 +301,7 @@ mod tests {
         }
         file.draw();
         file.insert("A");
-        file.text("ARCH", "βᵣ = 3°", ([0.0, 0.5], DxfAnchor::Middle), (0.1, 0.0));
+        file.text("ARCH", "βᵣ = 3°", ([0.0, 0.5], Anchor::Middle), (0.1, 0.0));
         let text = file.finish();
         let lines: Vec<&str> = text.lines().collect();
         let of = |codes: &[&str]| -> Vec<&str> {

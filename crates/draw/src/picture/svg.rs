@@ -15,15 +15,15 @@ const MIDDLE: f64 = 0.28;
 const HALF: f64 = 0.55;
 const BESIDE: f64 = 0.12;
 
-/// End of a text that is at its place.
+/// End of a text that is at its place, by the number that it has in DXF.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
     /// The text begins there.
-    Start,
+    Start = 0,
     /// The middle of the text is there.
-    Middle,
+    Middle = 1,
     /// The text ends there.
-    End,
+    End = 2,
 }
 
 impl Anchor {

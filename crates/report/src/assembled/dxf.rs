@@ -1,7 +1,7 @@
 //! Bodies as DXF: closed outlines with the arcs of the ring, centroids, and the question.
 
 use super::assembly::Assembled;
-use crate::picture::dxf::{DxfAnchor, DxfFile};
+use crate::picture::{Anchor, dxf::DxfFile};
 use crate::problem::measures::LengthUnit;
 use crate::strategies::Point;
 
@@ -22,7 +22,7 @@ pub fn dxf(of: &Assembled) -> String {
     }
     of.blocks.supports.iter().for_each(|ground| dxf.outline("SUPPORTS", &sector(ground)));
     let letters = LETTERS * of.blocks.radius;
-    dxf.text("TEXT", &of.line(), ([0.0, -letters], DxfAnchor::Middle), (letters, 0.0));
+    dxf.text("TEXT", &of.line(), ([0.0, -letters], Anchor::Middle), (letters, 0.0));
     dxf.finish()
 }
 
