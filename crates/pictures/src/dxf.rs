@@ -70,7 +70,7 @@ fn ring(dxf: &mut DxfFile, [from, to]: [f64; 2], radii: [f64; 2], stones: &[f64]
 
 /// A line of thrust or of friction in an arch of a thickness.
 fn line(dxf: &mut DxfFile, layer: &str, points: &[[f64; 2]], thickness: f64) {
-    dxf.chain(layer, &arcs(points, WITHIN.min(PART * thickness)));
+    dxf.arcs(layer, &arcs(points, WITHIN.min(PART * thickness)), false);
 }
 
 fn arch(dxf: &mut DxfFile, sketch: &Sketch, half: bool) {

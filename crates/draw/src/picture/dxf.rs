@@ -213,19 +213,11 @@ impl DxfFile {
         self.point(11, to);
     }
 
-    /// Draws arcs one after the other.
-    pub fn chain(&mut self, layer: &str, points: &[Bulge]) {
-        self.arcs(layer, points, "0");
-    }
-
-    /// A chain that ends where it begins.
-    pub fn outline(&mut self, layer: &str, points: &[([f64; 2], f64)]) {
-        self.arcs(layer, points, "1");
-    }
-
-    fn arcs(&mut self, layer: &str, points: &[Bulge], is_closed: &str) {
+    /// Draws arcs one after the other, of an outline as far as where they begin.
+    pub fn arcs(&mut self, layer: &str, points: &[Bulge], is_outline: bool) {
         self.begin("LWPOLYLINE", layer, "AcDbPolyline");
-        self.put_all(&[(90, &points.len().to_string()), (70, is_closed)]);
+        let closed = if is_outline { "1" } else { "0" };
+        self.put_all(&[(90, &points.len().to_string()), (70, closed)]);
         for (point, bulge) in points {
             self.point(10, *point);
             if *bulge != 0.0 {

@@ -17,10 +17,10 @@ pub fn dxf(of: &Assembled) -> String {
     let mut dxf = DxfFile::new((unit, 1.0), &LAYERS, &[]);
     dxf.draw();
     for stone in &of.blocks.stones {
-        dxf.outline("STONES", &sector(&stone.polygon));
+        dxf.arcs("STONES", &sector(&stone.polygon), true);
         dxf.circle("CENTROIDS", stone.centroid, MARK * of.blocks.radius);
     }
-    of.blocks.supports.iter().for_each(|ground| dxf.outline("SUPPORTS", &sector(ground)));
+    of.blocks.supports.iter().for_each(|ground| dxf.arcs("SUPPORTS", &sector(ground), true));
     let letters = LETTERS * of.blocks.radius;
     dxf.text("TEXT", &of.line(), ([0.0, -letters], Anchor::Middle), (letters, 0.0));
     dxf.finish()
