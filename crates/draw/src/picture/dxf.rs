@@ -25,8 +25,8 @@ pub struct DxfFile {
     handles: u32,
     /// The record of the block whose entities are written.
     owner: String,
-    /// The records of the model and of the other blocks.
-    records: Vec<String>,
+    /// The records of the blocks that are still to be written, in the order of their names.
+    records: std::vec::IntoIter<String>,
     /// Where what is drawn next begins, in its own units.
     pub x: f64,
     /// Such a unit in that of the file.
@@ -47,7 +47,8 @@ impl DxfFile {
         layers: &[(&str, u8)],
         blocks: &[String],
     ) -> Self {
-        let (text, owner, records) = (String::new(), String::new(), Vec::new());
+        let (text, owner) = (String::new(), String::new());
+        let records = Vec::new().into_iter();
         let mut file = Self { text, handles: 0, owner, records, x: 0.0, scale };
         let name = unit.map_or("units of r", LengthUnit::name);
         file.put(999, &format!("couplet: lengths in {name}"));
@@ -89,8 +90,9 @@ impl DxfFile {
         self.table("DIMSTYLE", "AcDbDimStyleTableRecord", &[("Standard", Vec::new())]);
         let names = [MODEL, SHEETS].into_iter().chain(blocks.iter().map(String::as_str));
         let records: Vec<_> = names.map(|name| (name, Vec::new())).collect();
-        self.records = self.table("BLOCK_RECORD", "AcDbBlockTableRecord", &records);
-        self.owner = self.records.first().cloned().unwrap_or_default();
+        let records = self.table("BLOCK_RECORD", "AcDbBlockTableRecord", &records);
+        self.owner = records.first().cloned().unwrap_or_default();
+        self.records = records.into_iter();
     }
 
     /// A table with its records; returns the handles of these.
@@ -122,9 +124,8 @@ impl DxfFile {
 
     /// A block with its entities, where it is in the order of their names.
     pub fn block(&mut self, name: &str, draw: impl FnOnce(&mut Self)) {
-        let model = self.owner.clone();
-        let place = self.text.matches("\nAcDbBlockBegin\n").count();
-        self.owner = self.records.get(place).cloned().unwrap_or_default();
+        let record = self.records.next().unwrap_or_default();
+        let model = std::mem::replace(&mut self.owner, record);
         self.begin("BLOCK", "0", "AcDbBlockBegin");
         self.put_all(&[(2, name), (70, "0"), (10, "0"), (20, "0"), (30, "0"), (3, name), (1, "")]);
         draw(self);
