@@ -2,12 +2,12 @@
 
 use super::caption::told;
 use super::chain::{Chain, larger};
-use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, size};
+use super::graph::{Graph, GraphLine, Graphs, WIDTH, size};
 use super::plane::{PlaneAxis, step};
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::atlas::{Branch, Coordinate, Level, Meeting};
 use crate::picture::color::INK;
-use crate::picture::{Color, Point, Print, Stroke};
+use crate::picture::{Color, Name, Point, Print, Stroke};
 use crate::report::words::kind;
 use std::io;
 
@@ -110,10 +110,7 @@ fn panel(branch: &Branch, least: &Level, x: PlaneAxis, y: PlaneAxis) -> Graph {
         let chain = Chain::of_pieces(stretch.section.pieces(), &stretch.section.ends()[0], &axes)?;
         Some(GraphLine { id: stretch.kind.name().to_owned(), chain, stroke: look(stretch.kind) })
     });
-    let mark = |meeting: &Meeting| {
-        let at = place(meeting)?;
-        Some(Dot { name: String::new(), at, away: (0.0, 0.0), color: INK })
-    };
+    let mark = |meeting: &Meeting| Some(Name::new("", place(meeting)?, (0.0, 0.0)));
     let marks = branch.meetings().filter_map(mark).collect();
     let lines = least.into_iter().chain(parts).collect();
     Graph { x, y, lines, marks, inset: None }

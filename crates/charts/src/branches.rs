@@ -2,7 +2,7 @@
 
 use super::caption::caption;
 use super::chain::Chain;
-use super::graph::{Dot, Graph, GraphLine, Graphs, size};
+use super::graph::{Graph, GraphLine, Graphs, size};
 use super::look::{self, mark};
 use super::plane::PlaneAxis;
 use super::sheet::Sheet;
@@ -11,7 +11,7 @@ use crate::atlas::{Coordinate, Curve, CurveEnd, Place, Trace, rotation_end, rota
 use crate::certify::CertifiedLandmark;
 use crate::number::Ball;
 use crate::picture::color::INK;
-use crate::picture::{Point, Print, Stroke};
+use crate::picture::{Name, Point, Print, Stroke};
 use crate::problem::Landmark;
 use crate::report::words;
 use std::cmp::Ordering::Equal;
@@ -151,7 +151,7 @@ fn over_the_half_opening(sheets: &[Sheet]) -> Vec<Graph> {
         let inset = Some(Box::new((at, of(axes, course))));
         let mut graph = of([OPENING, y], course);
         // What the inset names is only a disc in the panel.
-        graph.marks.iter_mut().for_each(|mark| mark.name.clear());
+        graph.marks.iter_mut().for_each(|mark| mark.words.clear());
         Graph { inset, ..graph }
     };
     let mut first = with(
@@ -279,7 +279,7 @@ fn borders(sheets: &[Sheet]) -> Vec<(SelfWeight, Place)> {
 }
 
 /// `B` of each weight on the line of purely sliding states.
-fn border_marks(sheets: &[Sheet], push: &PlaneAxis) -> Vec<Dot> {
+fn border_marks(sheets: &[Sheet], push: &PlaneAxis) -> Vec<Name> {
     let mark = |(weight, place): (SelfWeight, Place)| {
         let at = (on(&OPENING, &place)?, on(push, &place)?);
         Some(named(Landmark::Border, weight, at, Course::Rises, sheets.len() > 1))
@@ -314,7 +314,7 @@ const ENDS: [Curve; 3] =
     [Curve::Line(crate::problem::Line::RotationShoulder), Curve::Rotation, Curve::Overturning];
 
 /// The landmarks at the ends of some curves.
-fn marks(sheets: &[Sheet], curves: &[Curve], [x, y]: &[PlaneAxis; 2], course: Course) -> Vec<Dot> {
+fn marks(sheets: &[Sheet], curves: &[Curve], [x, y]: &[PlaneAxis; 2], course: Course) -> Vec<Name> {
     let mark = |sheet: &Sheet, curve: Curve| {
         let point = sheet.trace(curve)?.points().pop()?;
         let Some(CurveEnd::Landmark(landmark)) = point.end else { return None };
@@ -325,7 +325,7 @@ fn marks(sheets: &[Sheet], curves: &[Curve], [x, y]: &[PlaneAxis; 2], course: Co
 }
 
 /// Where the rotational joint is widest.
-fn widest(sheets: &[Sheet]) -> Vec<Dot> {
+fn widest(sheets: &[Sheet]) -> Vec<Name> {
     let mark = |sheet: &Sheet| {
         let landmark = Landmark::WidestJoint;
         let refined = CertifiedLandmark::new(landmark, sheet.weight).ok()?.enclosure(64).ok()?;
@@ -333,8 +333,8 @@ fn widest(sheets: &[Sheet]) -> Vec<Dot> {
         let at = (degrees(Unknown::HalfOpening)?, degrees(Unknown::RotationJoint)?);
         let mark = named(landmark, sheet.weight, at, Course::Falls, sheets.len() > 1);
         // The two are next to each other on top.
-        let away = if sheet.weight == SelfWeight::Heyman { (4.0, -12.0) } else { (-6.0, 16.0) };
-        Some(Dot { away, ..mark })
+        let towards = if sheet.weight == SelfWeight::Heyman { (4.0, -12.0) } else { (-6.0, 16.0) };
+        Some(Name { towards, ..mark })
     };
     sheets.iter().filter_map(mark).collect()
 }
@@ -357,7 +357,7 @@ fn named(
     at: Point,
     course: Course,
     is_of_several: bool,
-) -> Dot {
+) -> Name {
     let away =
         match (weight, course) {
             (SelfWeight::Milankovitch, Course::Rises) => (-1.0, -0.9),
@@ -372,7 +372,7 @@ fn named(
         true => format!("{symbol}{}", mark(weight)),
         false => symbol.to_owned(),
     };
-    Dot { name, at, away, color: look::of_weight(weight).color }
+    Name { color: look::of_weight(weight).color, ..Name::new(name, at, away) }
 }
 
 #[cfg(test)]

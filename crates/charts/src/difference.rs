@@ -2,12 +2,13 @@
 
 use super::caption::told;
 use super::chain::{Arc, Chain};
-use super::graph::{Dot, Graph, GraphLine, Graphs, size};
+use super::graph::{Graph, GraphLine, Graphs, size};
+use super::look::mark;
 use super::plane::{DEGREES, Plane, PlaneAxis};
 use crate::arch::SelfWeight;
 use crate::atlas::{Coordinate, Difference, Divide, Step};
 use crate::picture::color::INK;
-use crate::picture::{Color, Point, Print, Stroke};
+use crate::picture::{Color, Name, Point, Print, Stroke};
 use crate::problem::Landmark;
 use crate::report::words;
 use std::io;
@@ -64,20 +65,15 @@ fn place(difference: &Difference, chi: f64) -> Option<Point> {
 }
 
 /// The landmarks of the panel of all or of the larger one, where there is room for their names.
-fn marks(differences: &[Difference], is_larger: bool) -> Vec<Dot> {
-    let mut found: Vec<Dot> = Vec::new();
-    for difference in differences {
-        for (landmark, weight, chi) in difference.landmarks() {
-            let Some((name, away)) = named((*landmark, *weight), difference.divide, is_larger)
-            else {
-                continue;
-            };
-            if let Some(at) = place(difference, *chi) {
-                found.push(Dot { name, at, away, color: INK });
-            }
-        }
-    }
-    found
+fn marks(differences: &[Difference], is_larger: bool) -> Vec<Name> {
+    let marks = |difference: &Difference| -> Vec<Name> {
+        let dot = |(landmark, weight, chi): &(Landmark, SelfWeight, f64)| {
+            let (name, away) = named((*landmark, *weight), difference.divide, is_larger)?;
+            Some(Name::new(name, place(difference, *chi)?, away))
+        };
+        difference.landmarks().iter().filter_map(dot).collect()
+    };
+    differences.iter().flat_map(marks).collect()
 }
 
 /// The name of a landmark, and where it stands from there, off the lines; what is close to another has none.
@@ -101,7 +97,7 @@ fn named(
         }
         _ => return None,
     };
-    let of = if weight == W::Heyman { 'ₕ' } else { 'ₘ' };
+    let of = mark(weight);
     let names = symbol.split(", ").filter(|name| !name.is_empty());
     Some((names.map(|name| format!("{name}{of}")).collect::<Vec<_>>().join(", "), away))
 }

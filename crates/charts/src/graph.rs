@@ -5,7 +5,7 @@ use super::plane::{FRICTION_LABEL, PlaneAxis, friction_ticks};
 use super::spot::disc;
 use crate::picture::color::{GRID, INK, WHITE};
 use crate::picture::{
-    Anchor, Color, Frame, FrameSide, Name, Page, Path, Point, Print, Stroke, Svg, Type, text,
+    Anchor, Frame, FrameSide, Name, Page, Path, Point, Print, Stroke, Svg, Type, text,
 };
 use std::io;
 
@@ -24,7 +24,8 @@ pub(super) struct Graph {
     pub x: PlaneAxis,
     pub y: PlaneAxis,
     pub lines: Vec<GraphLine>,
-    pub marks: Vec<Dot>,
+    /// Points, by their places on the axes, with their names.
+    pub marks: Vec<Name>,
     /// A part of it, larger, and the places of two of its corners.
     pub inset: Option<Box<([Point; 2], Graph)>>,
 }
@@ -34,14 +35,6 @@ pub(super) struct GraphLine {
     pub id: String,
     pub chain: Chain,
     pub stroke: Stroke,
-}
-
-/// A point with a name, and the direction in which that stands if it can.
-pub(super) struct Dot {
-    pub name: String,
-    pub at: Point,
-    pub away: Point,
-    pub color: Color,
 }
 
 /// Width of a panel, unless another is asked for, and the least.
@@ -203,11 +196,8 @@ impl Graph {
         svg.window([frame.corner, (frame.right(), frame.bottom())]);
         let seen = || self.marks.iter().filter(|mark| frame.shows(mark.at));
         seen().for_each(|mark| disc(svg, frame.at(mark.at)));
-        let named = seen().filter(|mark| !mark.name.is_empty());
-        let named = named.map(|Dot { name, at, away, color }| Name {
-            color: *color,
-            ..Name::new(name, frame.at(*at), *away)
-        });
+        let named = seen().filter(|mark| !mark.words.is_empty());
+        let named = named.map(|mark| Name { at: frame.at(mark.at), ..mark.clone() });
         svg.names(&named.collect::<Vec<_>>(), |_| Type::new(LABEL, INK).on(WHITE));
     }
 }
