@@ -73,42 +73,29 @@ fn on(axis: &PlaneAxis, place: &Place) -> Option<f64> {
 impl Branches {
     /// The figure of both weights as SVG.
     pub(super) fn svg(self, sheets: &[Sheet], command: &str, print: &Print) -> io::Result<String> {
-        let panels = match self {
-            Self::Rotation => over_the_half_opening(sheets),
-            Self::Overturning => [(WIDE_VARIABLE, Course::FallsOpposite), (WIDE, Course::Rises)]
-                .map(|(x, course)| Graph {
-                    x,
-                    y: THICK,
-                    lines: lines(sheets, &[Curve::Overturning], &[x, THICK]),
-                    marks: marks(sheets, &ENDS[1..], &[x, THICK], course),
-                    inset: None,
-                })
-                .into(),
-            Self::Joined => joined(sheets),
-        };
-        let rotation = "Purely rotational and purely sliding states over the half opening";
-        let overturning = "Thickness of purely overturning states over A and over the half opening";
-        let joined = "Thickness of purely rotational and purely overturning states over A and over the half opening";
-        let (title, curves, more, legend_at): (_, &[Curve], _, _) = match self {
-            Self::Rotation => {
-                let entry = |name: &str, stroke| (name.to_owned(), stroke);
-                let mut sliding = vec![entry("pure sliding", SLIDING)];
-                match borders(sheets)[..] {
-                    [(one, _), (other, _)] => sliding.extend([
-                        entry(&format!("beyond B{}", mark(one)), BETWEEN),
-                        entry(&format!("beyond B{} too", mark(other)), BEYOND),
-                    ]),
-                    _ => sliding.push(entry("beyond B", BEYOND)),
-                }
-                (rotation, &[Curve::Rotation], sliding, (2, (16.0, 138.0)))
-            }
-            Self::Overturning => {
-                (overturning, &[Curve::Overturning], Vec::new(), (0, (395.0, 20.0)))
-            }
-            Self::Joined => {
-                let tangent = vec![("common tangent at ℓ".to_owned(), TANGENT)];
-                (joined, &[Curve::Rotation, Curve::Overturning], tangent, (0, (340.0, 20.0)))
-            }
+        let (title, curves, panels, more, legend_at): (_, &[Curve], _, _, _) = match self {
+            Self::Rotation => (
+                "Purely rotational and purely sliding states over the half opening",
+                &[Curve::Rotation],
+                over_the_half_opening(sheets),
+                sliding_legend(sheets),
+                (2, (16.0, 138.0)),
+            ),
+            Self::Overturning => (
+                "Thickness of purely overturning states over A and over the half opening",
+                &[Curve::Overturning],
+                overturning(sheets),
+                Vec::new(),
+                (0, (395.0, 20.0)),
+            ),
+            Self::Joined => (
+                "Thickness of purely rotational and purely overturning states over A and over the \
+                 half opening",
+                &[Curve::Rotation, Curve::Overturning],
+                joined(sheets),
+                vec![("common tangent at ℓ".to_owned(), TANGENT)],
+                (0, (340.0, 20.0)),
+            ),
         };
         let of_weight = |sheet: &Sheet, curve: Curve| {
             let name = format!("{curve}, {}-like", words::capital(sheet.weight.name()));
@@ -129,63 +116,55 @@ impl Branches {
     }
 }
 
+/// A panel of some curves, with the landmarks at the ends of some.
+fn panel(
+    sheets: &[Sheet],
+    [x, y]: [PlaneAxis; 2],
+    curves: &[Curve],
+    (ends, course): (&[Curve], Course),
+) -> Graph {
+    let (lines, marks) = (lines(sheets, curves, &[x, y]), marks(sheets, ends, &[x, y], course));
+    Graph { x, y, lines, marks, inset: None }
+}
+
 /// The joint, the thickness and the thrust of rotation, and the thrust of sliding, each with an inset where the two
 /// weights differ.
 fn over_the_half_opening(sheets: &[Sheet]) -> Vec<Graph> {
     let joint = PlaneAxis::new(Coordinate::RotationJoint, "joint βᵣ (°)", [0.0, 70.0], 10.0);
     let push = PlaneAxis::new(Coordinate::Thrust, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
-    let opening = |range, step| PlaneAxis { range, step, ..OPENING };
-    let larger = |axis: PlaneAxis, range, step| PlaneAxis { range, step, ..axis };
+    let thickness = thickness_axis([0.0, 1.1], 0.2);
     let of = |[x, y]: [PlaneAxis; 2], course| {
-        let rotation = match y.coordinate {
-            Coordinate::RotationJoint => joints(sheets, &[x, y]),
-            _ => lines(sheets, &[Curve::Rotation], &[x, y]),
-        };
-        let is_thrust = y.coordinate == Coordinate::Thrust;
-        let sliding = if is_thrust { sliding(sheets, &[x, y]) } else { Vec::new() };
-        let mut marks = marks(sheets, &ENDS[..2], &[x, y], course);
-        marks.extend(if is_thrust { border_marks(sheets, &y) } else { Vec::new() });
-        Graph { x, y, lines: rotation.into_iter().chain(sliding).collect(), marks, inset: None }
+        let mut graph = panel(sheets, [x, y], &[Curve::Rotation], (&ENDS[..2], course));
+        match y.coordinate {
+            Coordinate::RotationJoint => graph.lines = joints(sheets, graph.lines, &[x, y]),
+            Coordinate::Thrust => {
+                graph.lines.extend(sliding(sheets, &[x, y]));
+                graph.marks.extend(border_marks(sheets, &y));
+            }
+            _ => {}
+        }
+        graph
     };
-    let with = |y, course, (at, axes): ([Point; 2], [PlaneAxis; 2])| {
-        let inset = Some(Box::new((at, of(axes, course))));
+    // The corners of each inset, and what it shows.
+    let mut panels = [
+        (joint, FALLS, [(82.0, 9.0), (136.0, 40.0)], [136.0, 154.0], ([0.0, 70.0], 20.0)),
+        (thickness, RISES, [(42.0, 0.36), (104.0, 1.02)], [130.0, 155.0], ([0.4, 1.05], 0.2)),
+        (push, FALLS, [(126.0, 0.59), (177.0, 0.96)], [130.0, 162.0], ([0.0, 0.2], 0.1)),
+    ]
+    .map(|(y, course, corners, across, (up, step))| {
+        let larger = PlaneAxis { range: up, step, ..y };
+        let axes = [PlaneAxis { range: across, step: 5.0, ..OPENING }, larger];
         let mut graph = of([OPENING, y], course);
         // What the inset names is only a disc in the panel.
         graph.marks.iter_mut().for_each(|mark| mark.words.clear());
-        Graph { inset, ..graph }
-    };
-    let mut first = with(
-        joint,
-        Course::Falls,
-        (
-            [(82.0, 9.0), (136.0, 40.0)],
-            [opening([136.0, 154.0], 5.0), larger(joint, [0.0, 70.0], 20.0)],
-        ),
-    );
-    first.marks.extend(widest(sheets));
-    let thickness = thickness_axis([0.0, 1.1], 0.2);
-    let second = with(
-        thickness,
-        Course::Rises,
-        (
-            [(42.0, 0.36), (104.0, 1.02)],
-            [opening([130.0, 155.0], 5.0), larger(thickness, [0.4, 1.05], 0.2)],
-        ),
-    );
-    let third = with(
-        push,
-        Course::Falls,
-        (
-            [(126.0, 0.59), (177.0, 0.96)],
-            [opening([130.0, 162.0], 5.0), larger(push, [0.0, 0.2], 0.1)],
-        ),
-    );
-    vec![first, second, third]
+        Graph { inset: Some(Box::new((corners, of(axes, course)))), ..graph }
+    });
+    panels[0].marks.extend(widest(sheets));
+    panels.into()
 }
 
 /// The joint: over the half opening, near the origin by its ratio to that, and near the end over itself.
-fn joints(sheets: &[Sheet], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
-    let whole = lines(sheets, &[Curve::Rotation], axes);
+fn joints(sheets: &[Sheet], whole: Vec<GraphLine>, axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
     let near_ends = |sheet: &Sheet| {
         let trace = sheet.trace(Curve::Rotation)?;
         let start = rotation_start(trace, NEAR_END).ok()?;
@@ -203,22 +182,21 @@ fn joints(sheets: &[Sheet], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
     whole.into_iter().zip(sheets).map(joined).collect()
 }
 
+/// Overturning, over the opening variable and over the half opening.
+fn overturning(sheets: &[Sheet]) -> Vec<Graph> {
+    [(WIDE_VARIABLE, FALLS_OPPOSITE), (WIDE, RISES)]
+        .map(|(x, course)| panel(sheets, [x, THICK], &[Curve::Overturning], (&ENDS[1..], course)))
+        .into()
+}
+
 /// Rotation and overturning, over the opening variable, over the half opening, and near the points where they join.
 fn joined(sheets: &[Sheet]) -> Vec<Graph> {
-    let panel = |x, y, curves: &[Curve], course| Graph {
-        x,
-        y,
-        lines: lines(sheets, &[Curve::Rotation, Curve::Overturning], &[x, y]),
-        marks: marks(sheets, curves, &[x, y], course),
-        inset: None,
-    };
-    let mut near = panel(NEAR, NEAR_THICKNESS, &ENDS[1..2], Course::Rises);
+    let panel = |axes, marks| panel(sheets, axes, &[Curve::Rotation, Curve::Overturning], marks);
+    let mut near = panel([NEAR, NEAR_THICKNESS], (&ENDS[1..2], RISES));
     near.lines.extend(sheets.iter().filter_map(tangent));
-    vec![
-        panel(VARIABLE, THICKNESS, &ENDS, Course::FallsOpposite),
-        panel(OPENING, THICKNESS, &ENDS, Course::Rises),
-        near,
-    ]
+    let [first, second] = [(VARIABLE, FALLS_OPPOSITE), (OPENING, RISES)]
+        .map(|(x, course)| panel([x, THICKNESS], (&ENDS[..], course)));
+    vec![first, second, near]
 }
 
 /// The tangent of a weight at the end of rotation: that with which overturning begins.
@@ -282,9 +260,23 @@ fn borders(sheets: &[Sheet]) -> Vec<(SelfWeight, Place)> {
 fn border_marks(sheets: &[Sheet], push: &PlaneAxis) -> Vec<Name> {
     let mark = |(weight, place): (SelfWeight, Place)| {
         let at = (on(&OPENING, &place)?, on(push, &place)?);
-        Some(named(Landmark::Border, weight, at, Course::Rises, sheets.len() > 1))
+        Some(named(Landmark::Border, weight, at, RISES, sheets.len() > 1))
     };
     borders(sheets).into_iter().filter_map(mark).collect()
+}
+
+/// Legend of purely sliding states, by parts.
+fn sliding_legend(sheets: &[Sheet]) -> Vec<(String, Stroke)> {
+    let entry = |name: &str, stroke| (name.to_owned(), stroke);
+    let mut all = vec![entry("pure sliding", SLIDING)];
+    match borders(sheets)[..] {
+        [(one, _), (other, _)] => all.extend([
+            entry(&format!("beyond B{}", mark(one)), BETWEEN),
+            entry(&format!("beyond B{} too", mark(other)), BEYOND),
+        ]),
+        _ => all.push(entry("beyond B", BEYOND)),
+    }
+    all
 }
 
 /// The thrust of purely sliding states: as far as the border points of the weights, and beyond each.
@@ -331,7 +323,7 @@ fn widest(sheets: &[Sheet]) -> Vec<Name> {
         let refined = CertifiedLandmark::new(landmark, sheet.weight).ok()?.enclosure(64).ok()?;
         let degrees = |unknown| Some(number(&refined.value(unknown)?).to_degrees());
         let at = (degrees(Unknown::HalfOpening)?, degrees(Unknown::RotationJoint)?);
-        let mark = named(landmark, sheet.weight, at, Course::Falls, sheets.len() > 1);
+        let mark = named(landmark, sheet.weight, at, FALLS, sheets.len() > 1);
         // The two are next to each other on top.
         let towards = if sheet.weight == SelfWeight::Heyman { (4.0, -12.0) } else { (-6.0, 16.0) };
         Some(Name { towards, ..mark })
@@ -339,34 +331,27 @@ fn widest(sheets: &[Sheet]) -> Vec<Name> {
     sheets.iter().filter_map(mark).collect()
 }
 
-/// Course of a line, and which weight's is the upper one.
-#[derive(Clone, Copy)]
-enum Course {
-    /// Upwards, Milankovitch's above.
-    Rises,
-    /// Downwards, Heyman's above.
-    Falls,
-    /// Downwards, Milankovitch's above.
-    FallsOpposite,
-}
+/// Directions from the line of Milankovitch's weight and from that of Heyman's, each away from the other.
+type Course = [Point; 2];
+/// Upwards, Milankovitch's above.
+const RISES: Course = [(-1.0, -0.9), (0.9, 1.0)];
+/// Downwards, Heyman's above.
+const FALLS: Course = [(-0.8, 1.2), (0.8, -1.2)];
+/// Downwards, Milankovitch's above.
+const FALLS_OPPOSITE: Course = [(0.8, -1.2), (-0.8, 1.2)];
 
 /// The name of a landmark, of its weight where there are several, away from the line of the other.
 fn named(
     landmark: Landmark,
     weight: SelfWeight,
     at: Point,
-    course: Course,
+    [of_milankovitch, of_heyman]: Course,
     is_of_several: bool,
 ) -> Name {
-    let away =
-        match (weight, course) {
-            (SelfWeight::Milankovitch, Course::Rises) => (-1.0, -0.9),
-            (SelfWeight::Heyman, Course::Rises) => (0.9, 1.0),
-            (SelfWeight::Milankovitch, Course::Falls)
-            | (SelfWeight::Heyman, Course::FallsOpposite) => (-0.8, 1.2),
-            (SelfWeight::Heyman, Course::Falls)
-            | (SelfWeight::Milankovitch, Course::FallsOpposite) => (0.8, -1.2),
-        };
+    let away = match weight {
+        SelfWeight::Milankovitch => of_milankovitch,
+        SelfWeight::Heyman => of_heyman,
+    };
     let symbol = words::symbol(landmark);
     let name = match is_of_several && landmark != Landmark::OverturningEnd {
         true => format!("{symbol}{}", mark(weight)),
