@@ -21,7 +21,6 @@
 //! | `lines`, `known` | the lines of both weights, with their landmarks and tangents in digits |
 //! | `branches`, `graph` | the pure states along the half opening, as graphs |
 //! | `asymmetric` | what asymmetric branches reach |
-//! | `branch_picture` | asymmetric solutions beside the least thickness, as graphs |
 //! | `difference` | what two weights make of the lines, as graphs |
 //! | `caption` | what is said below |
 //! | `asked` | what is to be shown, and whether it goes together |
@@ -35,7 +34,6 @@
 mod asked;
 mod asymmetric;
 mod branch;
-mod branch_picture;
 mod branches;
 mod canvas;
 mod caption;
