@@ -2,7 +2,7 @@
 
 use super::caption::caption;
 use super::chain::Chain;
-use super::graph::{Graph, GraphLine, Graphs, size};
+use super::graph::{Graph, GraphLine, Graphs, off, size};
 use super::look::{self, mark};
 use super::plane::PlaneAxis;
 use super::sheet::Sheet;
@@ -221,15 +221,6 @@ fn look_of(weight: SelfWeight, curve: Curve) -> Stroke {
         }
         _ => stroke,
     }
-}
-
-/// Distance that lines may have from the truth, along each axis.
-fn off(panels: &[Graph]) -> Vec<(PlaneAxis, f64)> {
-    let of_panel = |panel: &Graph| {
-        let [across, up] = panel.off();
-        [(panel.x, across), (panel.y, up)]
-    };
-    panels.iter().flat_map(of_panel).collect()
 }
 
 fn along(trace: &Trace, axes: &[PlaneAxis; 2]) -> Option<Chain> {

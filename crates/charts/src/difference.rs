@@ -2,7 +2,7 @@
 
 use super::caption::told;
 use super::chain::{Arc, Chain};
-use super::graph::{Graph, GraphLine, Graphs, size};
+use super::graph::{Graph, GraphLine, Graphs, off, size};
 use super::look::mark;
 use super::plane::{DEGREES, Plane, PlaneAxis};
 use crate::arch::SelfWeight;
@@ -109,28 +109,19 @@ pub(crate) fn differences(
     print: &Print,
 ) -> io::Result<String> {
     let [x, _] = Plane::ThicknessFriction.axes();
-    let lines = || -> Vec<GraphLine> {
-        let line = |difference: &Difference| GraphLine {
-            id: format!("difference-{}", difference.divide),
-            chain: Chain(difference.steps().iter().map(drawn).collect()),
-            stroke: look(difference.divide),
-        };
-        differences.iter().map(line).collect()
+    let line = |difference: &Difference| GraphLine {
+        id: format!("difference-{}", difference.divide),
+        chain: Chain(difference.steps().iter().map(drawn).collect()),
+        stroke: look(difference.divide),
     };
-    let panels: Vec<Graph> = [(ALL, false), (NEAR, true)]
-        .into_iter()
-        .map(|(y, is_larger)| Graph {
-            x,
-            y,
-            lines: lines(),
-            marks: marks(differences, is_larger),
-            inset: None,
-        })
-        .collect();
-    let off = panels.first().map_or([0.0; 2], Graph::off);
+    let panel = |(y, is_larger)| {
+        let lines = differences.iter().map(line).collect();
+        Graph { x, y, lines, marks: marks(differences, is_larger), inset: None }
+    };
+    let panels: Vec<Graph> = [(ALL, false), (NEAR, true)].map(panel).into();
     let title = "The thickness on the lines between the modes for Milankovitch-like self-weight less that for \
                  Heyman-like self-weight, at equal friction";
-    let told = told(&[(x, off[0]), (ALL, off[1])], size(panels.len(), print)?);
+    let told = told(&off(&panels), size(panels.len(), print)?);
     let words = vec![
         format!(
             "{title}; below the same, larger. The landmarks of the two weights (ₕ, ₘ) are at different frictions; \

@@ -64,6 +64,15 @@ pub(super) fn size(panels: usize, print: &Print) -> io::Result<Point> {
     Ok((width, if panels > 1 { 250.0 } else { f64::min(440.0, width) }))
 }
 
+/// Distance that the lines of panels may have from the truth, along each axis.
+pub(super) fn off(panels: &[Graph]) -> Vec<(PlaneAxis, f64)> {
+    let of_panel = |panel: &Graph| {
+        let [across, up] = panel.off();
+        [(panel.x, across), (panel.y, up)]
+    };
+    panels.iter().flat_map(of_panel).collect()
+}
+
 impl Graphs {
     /// The picture as SVG.
     pub(super) fn svg(&self, print: &Print) -> io::Result<String> {
@@ -124,7 +133,7 @@ impl Graphs {
 
 impl Graph {
     /// Bounds on the distance of the lines that the panel shows from the truth, along each axis.
-    pub(super) fn off(&self) -> [f64; 2] {
+    fn off(&self) -> [f64; 2] {
         let (x, y) = (self.x.range, self.y.range);
         let frame = Frame { corner: (0.0, 0.0), size: (1.0, 1.0), x, y };
         let inset = self.inset.iter().map(|inset| inset.1.off());

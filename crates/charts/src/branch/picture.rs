@@ -4,8 +4,8 @@ use super::{BranchArch, BranchArches};
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::atlas::{Branch, Coordinate, Level, Meeting};
 use crate::caption::told;
-use crate::chain::{Chain, larger};
-use crate::graph::{Graph, GraphLine, Graphs, WIDTH, size};
+use crate::chain::Chain;
+use crate::graph::{Graph, GraphLine, Graphs, WIDTH, off, size};
 use crate::picture::color::INK;
 use crate::picture::{Color, Name, Point, Print, Stroke};
 use crate::plane::{PlaneAxis, step};
@@ -82,9 +82,7 @@ pub(crate) fn picture(all: &BranchArches, print: &Print) -> io::Result<String> {
         };
         legend.extend(found.iter().any(has).then(|| (name(kind), look(kind))));
     }
-    let off = panels.iter().map(Graph::off).fold([0.0; 2], larger);
-    let size = size(panels.len(), print)?;
-    let told = told(&[(x, off[0]), (y, off[1])], size);
+    let told = told(&off(&panels), size(panels.len(), print)?);
     let title = "Asymmetric solutions of the complementarity problem without dilatancy";
     let open = match open.is_empty() {
         true => "and each state on the thick lines to be admissible, with a mechanism".to_owned(),
