@@ -7,7 +7,7 @@ use crate::number::Ball;
 use crate::picture::Print;
 use crate::picture::text::number;
 use crate::problem::Line;
-use crate::report::Column::{Double, Text};
+use crate::report::Column::{Double, Integer, Made, Text};
 use crate::report::{Content, NamedColumn, Record, Reported, Tabular};
 use std::io;
 
@@ -24,19 +24,21 @@ pub struct MapDifferences {
 
 /// A node with the step that begins there; behind the last node there is none.
 struct DifferenceNode<'a> {
+    divide: &'static str,
+    index: usize,
     point: &'a DifferencePoint,
     step: Option<&'a Step>,
-    /// The lines of each weight on it.
-    lines: Option<[String; 2]>,
 }
 
 impl DifferenceNode<'_> {
     /// The columns of a node. Bounds are rounded outward. Between two nodes the difference is as near as `tube` to the
     /// cubic in the parameter from `begins` to `ends` with these rates at its ends; the friction angle is `chi - sin
     /// chi cos chi`.
-    const COLUMNS: [NamedColumn<Self>; 18] = [
-        ("line_heyman", Text(|row| Some(&row.lines.as_ref()?[0]))),
-        ("line_milankovitch", Text(|row| Some(&row.lines.as_ref()?[1]))),
+    const COLUMNS: [NamedColumn<Self>; 20] = [
+        ("divide", Text(|row| Some(row.divide))),
+        ("node", Integer(|row| Some(row.index as u64))),
+        ("line_heyman", Made(|row| Some(row.step?.lines[0].to_string()))),
+        ("line_milankovitch", Made(|row| Some(row.step?.lines[1].to_string()))),
         ("parameter", Double(|row| Some(row.point.parameter))),
         ("friction_angle_lower", Double(|row| lower(Some(&row.point.friction_angle)))),
         ("friction_angle_upper", Double(|row| upper(Some(&row.point.friction_angle)))),
@@ -58,10 +60,9 @@ impl DifferenceNode<'_> {
 
 fn rows(difference: &Difference) -> impl Iterator<Item = DifferenceNode<'_>> {
     let steps = difference.steps().iter().map(Some).chain([None]);
-    difference.points().iter().zip(steps).map(|(point, step)| {
-        let lines = step.map(|step| step.lines.each_ref().map(Line::to_string));
-        DifferenceNode { point, step, lines }
-    })
+    let divide = difference.divide.name();
+    let nodes = difference.points().iter().zip(steps).enumerate();
+    nodes.map(move |(index, (point, step))| DifferenceNode { divide, index, point, step })
 }
 
 /// The lines of a curve, in order.
@@ -119,20 +120,8 @@ impl Reported for MapDifferences {
     }
 
     fn tabular(&self) -> Tabular {
-        let mut whole = Tabular::of_columns(
-            DifferenceNode::COLUMNS.iter(),
-            self.differences.iter().flat_map(rows),
-        );
-        let numbered = |of: &Difference| {
-            let divide = of.divide.to_string();
-            (0..of.points().len())
-                .map(move |node| [divide.clone(), node.to_string()])
-                .collect::<Vec<_>>()
-        };
-        let names = self.differences.iter().flat_map(numbered);
-        whole.header.splice(..0, ["divide", "node"].map(str::to_owned));
-        whole.rows.iter_mut().zip(names).for_each(|(row, names)| drop(row.splice(..0, names)));
-        whole
+        let rows = self.differences.iter().flat_map(rows);
+        Tabular::of_columns(DifferenceNode::COLUMNS.iter(), rows)
     }
 
     fn picture(&self, print: &Print) -> io::Result<String> {
@@ -165,7 +154,9 @@ fn entry(difference: &Difference) -> Record {
     record.add("least", least);
     record.add("most", most);
     let node = |row: DifferenceNode| -> Record {
-        DifferenceNode::COLUMNS.iter().map(|(name, column)| (*name, column.json(&row))).collect()
+        // Its curve and its place say the rest.
+        let of_node = DifferenceNode::COLUMNS.iter().skip(2);
+        of_node.map(|(name, column)| (*name, column.json(&row))).collect()
     };
     record.add_list("nodes", rows(difference).map(node));
     record
