@@ -1,18 +1,26 @@
 //! Quantities along the axes.
 
 use crate::atlas::{Contour, Coordinate, Place};
+use crate::number::worded;
 use crate::picture::scale::Tick;
 use crate::picture::text;
+use std::str::FromStr;
 
-/// A plane in which the map is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Plane {
-    /// Thickness over friction angle, as Figures 5 and 6 of the paper: every domain is an area.
-    ThicknessFriction,
-    /// Friction angle over half opening: which mode an arch has.
-    OpeningFriction,
-    /// Thickness over half opening: how much friction an arch needs.
-    OpeningThickness,
+worded! {
+    /// A plane in which the map is drawn.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Plane {
+        /// Thickness over friction angle, as Figures 5 and 6 of the paper: every domain is an area.
+        ThicknessFriction = "thickness-friction",
+        /// Friction angle over half opening: which mode an arch has.
+        OpeningFriction = "opening-friction",
+        /// Thickness over half opening: how much friction an arch needs.
+        OpeningThickness = "opening-thickness",
+    }
+    /// All planes.
+    pub const ALL;
+    /// The name on the command line.
+    pub fn name -> &'static str;
 }
 
 /// One of its axes.
@@ -65,19 +73,6 @@ const FRICTION_LEVELS: [&str; 9] = ["0.1", "0.2", "0.3", "0.4", "0.6", "0.8", "1
 pub(super) const FRICTION_LABEL: &str = "friction coefficient μ = tan φ";
 
 impl Plane {
-    /// All planes.
-    pub const ALL: [Self; 3] =
-        [Self::ThicknessFriction, Self::OpeningFriction, Self::OpeningThickness];
-
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::ThicknessFriction => "thickness-friction",
-            Self::OpeningFriction => "opening-friction",
-            Self::OpeningThickness => "opening-thickness",
-        }
-    }
-
     /// The plane of a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|plane| plane.name().eq_ignore_ascii_case(name))
@@ -123,19 +118,11 @@ impl Plane {
 
     /// The levels that are drawn unless others are asked for.
     pub fn contours(self) -> Vec<Contour> {
-        let contour = |text: &&str| {
-            Some(match self {
-                Self::ThicknessFriction => Contour::HalfOpening(text.parse().ok()?),
-                Self::OpeningFriction => Contour::Thickness(text.parse().ok()?),
-                Self::OpeningThickness => Contour::Friction(text.parse().ok()?),
-            })
-        };
-        let values = match self {
-            Self::ThicknessFriction => OPENINGS,
-            Self::OpeningFriction => THICKNESSES,
-            Self::OpeningThickness => FRICTION_LEVELS,
-        };
-        values.iter().filter_map(contour).collect()
+        match self {
+            Self::ThicknessFriction => levels(OPENINGS, Contour::HalfOpening),
+            Self::OpeningFriction => levels(THICKNESSES, Contour::Thickness),
+            Self::OpeningThickness => levels(FRICTION_LEVELS, Contour::Friction),
+        }
     }
 
     /// Axes to the right, and up.
@@ -146,6 +133,10 @@ impl Plane {
             Self::OpeningThickness => [OPENING, THICKNESS],
         }
     }
+}
+
+fn levels<T: FromStr>(values: [&str; 9], level: fn(T) -> Contour) -> Vec<Contour> {
+    values.into_iter().filter_map(|text| text.parse().ok().map(level)).collect()
 }
 
 /// Lengths of an axis.
