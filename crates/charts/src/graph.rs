@@ -157,12 +157,7 @@ impl Graph {
         for ends in upright.chain(level.map(|y| [(left, y), (frame.right(), y)])) {
             svg.stroke(&Path::through(ends), Stroke::new(GRID, 1.0));
         }
-        svg.clipped(&frame.outline(), |svg| {
-            for line in &self.lines {
-                svg.group(&line.id, |svg| line.chain.draw(svg, frame, line.stroke));
-            }
-        });
-        svg.stroke(&frame.outline(), Stroke::new(INK, 1.2));
+        self.plot(svg, frame, "");
         frame.ticks(svg, FrameSide::Left, &y, TICK);
         let middle = Type::new(LABEL, INK).at(Anchor::Middle);
         let up = frame.corner.1 + frame.size.1 / 2.0;
@@ -187,17 +182,21 @@ impl Graph {
     fn draw_inset(&self, svg: &mut Svg, frame: &Frame) {
         let (left, bottom) = (frame.corner.0 - 2.6 * SMALL_TICK, frame.bottom() + 1.8 * SMALL_TICK);
         svg.fill(&Path::rectangle((left, frame.corner.1), (frame.right(), bottom)), WHITE);
-        svg.clipped(&frame.outline(), |svg| {
-            for line in &self.lines {
-                let id = format!("inset-{}", line.id);
-                svg.group(&id, |svg| line.chain.draw(svg, frame, line.stroke));
-            }
-        });
-        svg.stroke(&frame.outline(), Stroke::new(INK, 1.2));
+        self.plot(svg, frame, "inset-");
         let (x, y) = (self.x.ticks(self.x.range, None), self.y.ticks(self.y.range, None));
         frame.ticks(svg, FrameSide::Bottom, &x, SMALL_TICK);
         frame.ticks(svg, FrameSide::Left, &y, SMALL_TICK);
         self.names(svg, frame);
+    }
+
+    /// The lines in their frame; `of` sets the names of the groups of an inset apart.
+    fn plot(&self, svg: &mut Svg, frame: &Frame, of: &str) {
+        svg.clipped(&frame.outline(), |svg| {
+            for GraphLine { id, chain, stroke } in &self.lines {
+                svg.group(&format!("{of}{id}"), |svg| chain.draw(svg, frame, *stroke));
+            }
+        });
+        svg.stroke(&frame.outline(), Stroke::new(INK, 1.2));
     }
 
     /// The points with their names, off all that is drawn.

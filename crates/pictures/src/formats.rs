@@ -1,6 +1,7 @@
 //! The formats in which arches are drawn.
 
-use super::{Sketched, dxf, json, lean, page};
+use super::lean::write_lean;
+use super::{Sketched, dxf, json, page};
 use crate::picture::Print;
 use crate::report::{Content, Format, Record, Reported};
 use std::io;
@@ -20,7 +21,7 @@ impl Reported for Sketched {
 
     fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
         match format.name {
-            "json" => Some(lean::write(&json::record(self), out)),
+            "json" => Some(write_lean(&self.records(), out)),
             "dxf" => Some(dxf::dxf(self, out)),
             _ => None,
         }

@@ -55,7 +55,7 @@ impl Formatter for Lean {
 }
 
 /// Writes a value and ends the line.
-pub(super) fn write(value: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
+fn write(value: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
     value.serialize(&mut Serializer::with_formatter(&mut *out, Lean::default()))?;
     writeln!(out)
 }
