@@ -67,12 +67,16 @@ impl PlaneContent {
         }
     }
 
-    /// Distance that a line that a frame shows may have from the truth.
-    pub(super) fn off(&self, frame: &Frame) -> [f64; 2] {
+    /// All lines but the edge.
+    pub(super) fn chains(&self) -> impl Iterator<Item = &Chain> {
         let lines = self.lines.iter().map(|(_, chain)| chain);
         let levels = self.levels.iter().map(|(_, chain)| chain);
-        let asymmetric = self.asymmetric.iter().flat_map(AsymmetricLines::chains);
-        lines.chain(levels).chain(asymmetric).map(|chain| chain.off(frame)).fold([0.0; 2], larger)
+        lines.chain(levels).chain(self.asymmetric.iter().flat_map(AsymmetricLines::chains))
+    }
+
+    /// Distance that a line that a frame shows may have from the truth.
+    pub(super) fn off(&self, frame: &Frame) -> [f64; 2] {
+        self.chains().map(|chain| chain.off(frame)).fold([0.0; 2], larger)
     }
 
     /// Place of a landmark.

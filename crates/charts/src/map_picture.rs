@@ -119,10 +119,8 @@ impl MapPicture<'_> {
 
     fn names<'a>(&self, content: &'a PlaneContent, frame: &'a Frame, sizes: [f64; 2]) -> Names<'a> {
         let is_mirrored = self.canvas.axes[0].coordinate == Coordinate::OpeningVariable;
-        let chains = content.lines.iter().map(|(_, chain)| chain);
-        let levels = content.levels.iter().map(|(_, chain)| chain);
-        let edges = content.edge.iter().chain(content.asymmetric.iter().flat_map(|of| of.chains()));
-        let lines = chains.chain(levels).chain(edges).map(|chain| on_page(chain, frame)).collect();
+        let chains = content.chains().chain(&content.edge);
+        let lines = chains.map(|chain| on_page(chain, frame)).collect();
         let window = Some([frame.corner, (frame.right(), frame.bottom())]);
         let labels = Labels { lines, window, ..Labels::default() };
         Names { content, plane: self.canvas.plane, frame, sizes, is_mirrored, labels }
