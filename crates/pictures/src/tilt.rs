@@ -171,15 +171,11 @@ fn line(
     radius: impl Fn(&Angle<Ball>, &Angle<Ball>, &Ball) -> Ball,
 ) -> SketchedLine {
     let [h, _, v, k] = forces;
-    let at = |joint: &Angle<Ball>| {
+    SketchedLine::new([alpha, eta], stones, |joint| {
         let joint = side.joint(joint);
         let thrust = k.clone() * &joint.rad + h;
         radius(&joint, &carried(&joint, v), &thrust)
-    };
-    match stones {
-        [] => SketchedLine::new([alpha, eta], at),
-        some => SketchedLine::through_joints([alpha, eta], some, at),
-    }
+    })
 }
 
 impl<'a> TiltPanel<'a> {

@@ -3,7 +3,7 @@
 use super::line::{SketchedLine, centreline};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, Ring, SelfWeight, contact, statics};
-use crate::number::{Angle, Drawable};
+use crate::number::Drawable;
 use crate::problem::Mode;
 
 /// A thrust with its lines.
@@ -91,18 +91,6 @@ pub fn joints_of<T: Drawable>(mode: Mode, at: &Configuration<T>) -> Vec<Mark<T>>
     joints.map(|joint| Mark { contact: joint.contact, at: joint.at.rad.clone() }).collect()
 }
 
-/// A line of a configuration: through joints where there are some.
-fn line<T: Drawable>(
-    (at, joints): (&Configuration<T>, &[f64]),
-    radius: impl Fn(&Angle<T>) -> T,
-) -> SketchedLine {
-    let ends = [&at.half_opening.rad, &at.thickness];
-    match joints {
-        [] => SketchedLine::new(ends, radius),
-        some => SketchedLine::through_joints(ends, some, radius),
-    }
-}
-
 /// The locus of the pressure points.
 fn thrust_line<T: Drawable>(
     weight: SelfWeight,
@@ -111,7 +99,7 @@ fn thrust_line<T: Drawable>(
 ) -> SketchedLine {
     let fac = Ring::new(weight, &at.thickness).centroid_factor;
     let without_thrust = at.thrust.is_zero();
-    line((at, joints), |joint| match without_thrust {
+    SketchedLine::new([&at.half_opening.rad, &at.thickness], joints, |joint| match without_thrust {
         true if joint.rad.is_zero() => fac.ratio(1, 2) * &fac,
         true => statics::radius_without_thrust(joint, &fac),
         false => statics::pressure_radius(joint, &at.thrust, moment, &fac),
@@ -126,7 +114,7 @@ fn friction_line<T: Drawable>(
     if !is_limited {
         return centreline(&at.half_opening.rad, &at.thickness);
     }
-    line((at, joints), |joint: &Angle<T>| {
+    SketchedLine::new([&at.half_opening.rad, &at.thickness], joints, |joint| {
         statics::friction_radius(joint, [&at.thrust, &at.friction, &at.thickness])
     })
 }

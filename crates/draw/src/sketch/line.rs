@@ -30,27 +30,29 @@ fn place([angle, offset]: [f64; 2], thickness: f64) -> [f64; 2] {
     [radius * angle.sin(), radius * angle.cos()]
 }
 
-/// Offset of a line of some radius from the centreline, in thicknesses.
-fn offset<T: Drawable>(radius: impl Fn(&Angle<T>) -> T, joint: T, thickness: &T) -> f64 {
-    ((radius(&Angle::new(joint)) - thickness.int(1)) / thickness).double()
-}
-
 impl SketchedLine {
-    /// The line of a radius at each joint, in units of `r`, down to the shoulder at `half_opening`.
+    /// The line of a radius at each joint, in units of `r`, down to the shoulder at `half_opening`. Between stones it
+    /// is said of `joints` alone: then it is the chain through its points at these, from the crown on or from that
+    /// beside a keystone, and at the shoulder.
     pub fn new<T: Drawable>(
         [half_opening, thickness]: [&T; 2],
+        joints: &[f64],
         radius: impl Fn(&Angle<T>) -> T,
     ) -> Self {
-        let alpha = half_opening.double();
-        let within = Within { chord: CHORD * alpha.min(1.0), offset: PART };
-        let eta = thickness.double();
+        let [alpha, eta] = [half_opening, thickness].map(T::double);
         let at = |beta: f64| {
             // The shoulder itself, not its nearest double.
             let is_shoulder = beta == alpha;
             let joint =
                 if is_shoulder { half_opening.clone() } else { half_opening.of_double(beta) };
-            [beta, offset(&radius, joint, thickness)]
+            let radius = radius(&Angle::new(joint));
+            [beta, ((radius - thickness.int(1)) / thickness).double()]
         };
+        if !joints.is_empty() {
+            let points = joints.iter().copied().chain([alpha]).map(at).collect();
+            return Self { points, thickness: eta };
+        }
+        let within = Within { chord: CHORD * alpha.min(1.0), offset: PART };
         let steps = (alpha / STEP).ceil().max(8.0) as u32;
         let mut points = vec![at(0.0)];
         for k in 1..=steps {
@@ -60,20 +62,6 @@ impl SketchedLine {
             };
             refine(&mut points, at(end), (&at, eta), (within, HALVINGS));
         }
-        Self { points, thickness: eta }
-    }
-
-    /// The chain through the points of a line at some joints, from the crown on or from that beside a keystone, and at
-    /// the shoulder: between stones it is said of joints alone.
-    pub fn through_joints<T: Drawable>(
-        [half_opening, thickness]: [&T; 2],
-        joints: &[f64],
-        radius: impl Fn(&Angle<T>) -> T,
-    ) -> Self {
-        let eta = thickness.double();
-        let at = |joint: T| [joint.double(), offset(&radius, joint, thickness)];
-        let inside = joints.iter().map(|joint| at(half_opening.of_double(*joint)));
-        let points = inside.chain([at(half_opening.clone())]).collect();
         Self { points, thickness: eta }
     }
 
@@ -163,7 +151,7 @@ fn refine(
 
 /// The centreline.
 pub(super) fn centreline<T: Drawable>(half_opening: &T, thickness: &T) -> SketchedLine {
-    SketchedLine::new([half_opening, thickness], |joint| joint.rad.int(1))
+    SketchedLine::new([half_opening, thickness], &[], |joint| joint.rad.int(1))
 }
 
 #[cfg(test)]
@@ -178,7 +166,7 @@ mod tests {
             let tenth = Ball::integer(1, 200) / Ball::integer(10, 200);
             let thin = (0..places).fold(Ball::integer(1, 200), |thin, _| thin * &tenth);
             let alpha = thin.clone();
-            let line = SketchedLine::new([&alpha, &thin], |joint| {
+            let line = SketchedLine::new([&alpha, &thin], &[], |joint| {
                 let share = joint.rad.clone() / &alpha;
                 joint.rad.int(1) + (share.int(1) - share.clone() * share) * &thin / joint.rad.int(2)
             });
