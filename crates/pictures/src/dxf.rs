@@ -9,12 +9,12 @@ use super::joints::named;
 use super::metres::{Metres, Size};
 use super::numbers::{label, told};
 use crate::arch::mechanism::Contact;
-use crate::atlas::{Collapse, Sketch};
+use crate::atlas::Sketch;
 use crate::picture::Anchor;
 use crate::picture::arcs::arcs;
 use crate::picture::dxf::DxfFile;
 use crate::problem::measures::LengthUnit;
-use crate::sketch::{Blocks, CROWN, Hull, WholeView, across};
+use crate::sketch::{Blocks, Hull, WholeView, across, on_sides};
 use std::io;
 
 /// The layers and their colours by number.
@@ -92,15 +92,6 @@ fn mark(dxf: &mut DxfFile, (contact, joint): (Contact, f64), [inner, outer]: [f6
         Contact::Extrados => dxf.circle("HINGES", polar(joint, outer), HINGE),
         Contact::Intrados => dxf.circle("HINGES", polar(joint, inner), HINGE),
         _ => dxf.line("SLIDING", [inner, outer].map(|radius| polar(joint, radius))),
-    }
-}
-
-fn marks(dxf: &mut DxfFile, sketch: &Sketch, collapse: Option<&Collapse>, sides: &[f64]) {
-    for (contact, joint) in super::at_limit(sketch, collapse) {
-        let is_crown = joint < CROWN * sketch.half_opening();
-        for side in sides.iter().take(if is_crown { 1 } else { sides.len() }) {
-            mark(dxf, (contact, side * joint), sketch.radii());
-        }
     }
 }
 
@@ -235,8 +226,10 @@ pub(crate) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> 
                 true => dxf.insert(&name(place)),
                 false => arch(&mut dxf, sketch, half),
             }
-            marks(&mut dxf, sketch, collapse, sides);
-            let radii = sketch.radii();
+            let (alpha, radii) = (sketch.half_opening(), sketch.radii());
+            let marks = super::at_limit(sketch, collapse);
+            let on_sides = on_sides(&marks, alpha, sides);
+            on_sides.into_iter().for_each(|of| mark(&mut dxf, of, radii));
             let [mut widest, mut highest] = [radii[1]; 2];
             if let Some(collapse) = collapse {
                 let amplitude = report.style.amplitude;
@@ -247,9 +240,8 @@ pub(crate) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> 
                 }
                 mechanism(&mut dxf, &blocks, radii, sides);
             }
-            let joints = named(sketch, &super::at_limit(sketch, collapse));
-            let joints = joints.into_iter().map(|of| (of.at, radii[1], of.name));
-            let alpha = sketch.half_opening();
+            let joints = named(sketch, &marks).into_iter();
+            let joints = joints.map(|of| (of.at, radii[1], of.name));
             let shoulder = (alpha, radii[1], label("α", alpha));
             let names: Vec<_> = [shoulder].into_iter().chain(joints).collect();
             texts(&mut dxf, &title(sketch, collapse), &names, highest);

@@ -35,8 +35,7 @@ mod scale;
 mod view;
 mod whole;
 
-pub use blocks::Blocks;
-pub use blocks::arrow;
+pub use blocks::{Blocks, arrow};
 pub use collapse::{Collapse, NoCollapse};
 pub use falling::{falling, furthest_haunch};
 pub use forces::{Forces, Mark, joints_of, moment_of};
@@ -46,6 +45,5 @@ pub use linkage::Linkage;
 pub use moved::{Block, Moved, moved};
 pub use picture::picture;
 pub use scale::PageScale;
-pub use view::CROWN;
-pub use view::{ArchView, Lines};
+pub use view::{ArchView, CROWN, Lines, on_sides};
 pub use whole::WholeView;

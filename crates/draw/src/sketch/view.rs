@@ -170,25 +170,38 @@ impl ArchView<'_> {
 
     /// The joints at their limits.
     pub fn marks(&self, svg: &mut Svg, scale: &PageScale) {
-        let [inner, outer] = self.radii;
-        let crown = CROWN * self.half_opening;
-        let sides = |joint: f64| if joint < crown { &[1.0][..] } else { self.falling() };
-        svg.group("sliding", |svg| {
-            for (_, joint) in self.marks.iter().filter(|(contact, _)| !contact.is_hinge()) {
-                for side in sides(*joint) {
-                    let ends = [inner, outer].map(|radius| scale.polar(*joint, radius, *side));
-                    svg.stroke(&Path::through(ends), look::SLIDES);
-                }
-            }
-        });
-        svg.group("hinges", |svg| {
-            for (contact, joint) in self.marks.iter().filter(|(contact, _)| contact.is_hinge()) {
-                let radius = if *contact == Contact::Extrados { outer } else { inner };
-                for side in sides(*joint) {
-                    let at = scale.polar(*joint, radius, *side);
-                    svg.ring(at, look::HINGE_RADIUS, WHITE, look::HINGE);
-                }
-            }
-        });
+        let marks = on_sides(&self.marks, self.half_opening, self.falling());
+        draw_marks(svg, scale, self.radii, &marks);
     }
+}
+
+/// Joints of a half on the sides where they are, 1 for the right one and -1 for the left: positive on the right. The
+/// crown is on the first alone.
+pub fn on_sides(marks: &[(Contact, f64)], half_opening: f64, sides: &[f64]) -> Vec<(Contact, f64)> {
+    let both = |(contact, joint): &(Contact, f64)| {
+        let count = if *joint < CROWN * half_opening { 1 } else { sides.len() };
+        sides.iter().take(count).map(|side| (*contact, side * joint)).collect::<Vec<_>>()
+    };
+    marks.iter().flat_map(both).collect()
+}
+
+/// Draws joints at their limits, positive on the right, in an arch between two radii.
+pub(super) fn draw_marks(
+    svg: &mut Svg,
+    scale: &PageScale,
+    [inner, outer]: [f64; 2],
+    marks: &[(Contact, f64)],
+) {
+    svg.group("sliding", |svg| {
+        for (_, joint) in marks.iter().filter(|(contact, _)| !contact.is_hinge()) {
+            let ends = [inner, outer].map(|radius| scale.polar(*joint, radius, 1.0));
+            svg.stroke(&Path::through(ends), look::SLIDES);
+        }
+    });
+    svg.group("hinges", |svg| {
+        for (contact, joint) in marks.iter().filter(|(contact, _)| contact.is_hinge()) {
+            let radius = if *contact == Contact::Extrados { outer } else { inner };
+            svg.ring(scale.polar(*joint, radius, 1.0), look::HINGE_RADIUS, WHITE, look::HINGE);
+        }
+    });
 }

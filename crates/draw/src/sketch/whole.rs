@@ -5,8 +5,8 @@ use super::hull::Hull;
 use super::line::SketchedLine;
 use super::look;
 use super::scale::PageScale;
+use super::view::draw_marks;
 use crate::arch::mechanism::Contact;
-use crate::picture::color::WHITE;
 use crate::picture::{Path, Svg};
 
 /// An arch in doubles, in units of `r`; joints are positive on the right.
@@ -70,18 +70,6 @@ impl WholeView {
 
     /// The joints at their limits.
     pub fn marks(&self, svg: &mut Svg, scale: &PageScale) {
-        let [inner, outer] = self.radii;
-        svg.group("sliding", |svg| {
-            for (_, joint) in self.marks.iter().filter(|(contact, _)| !contact.is_hinge()) {
-                let ends = [inner, outer].map(|radius| scale.polar(*joint, radius, 1.0));
-                svg.stroke(&Path::through(ends), look::SLIDES);
-            }
-        });
-        svg.group("hinges", |svg| {
-            for (contact, joint) in self.marks.iter().filter(|(contact, _)| contact.is_hinge()) {
-                let radius = if *contact == Contact::Extrados { outer } else { inner };
-                svg.ring(scale.polar(*joint, radius, 1.0), look::HINGE_RADIUS, WHITE, look::HINGE);
-            }
-        });
+        draw_marks(svg, scale, self.radii, &self.marks);
     }
 }
