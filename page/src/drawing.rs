@@ -3,8 +3,7 @@
 use couplet_check::arch::{Configuration, SelfWeight};
 use couplet_check::problem::Mode;
 use couplet_draw::sketch::{
-    ArchView, Blocks, Collapse, Forces, Lines, falling, furthest_haunch, joints_of, moment_of,
-    picture,
+    ArchView, Blocks, Collapse, Forces, falling, furthest_haunch, joints_of, moment_of, picture,
 };
 use couplet_number::number::{DoubleDoubleBall, Drawable};
 
@@ -28,8 +27,7 @@ impl Drawing<'_> {
         let marks = joints_of(mode, self.at);
         let forces = Forces::new(self.weight, (self.at, &[]), self.is_limited, &[moment], marks);
         let collapse = Collapse::new(self.weight, mode, self.at, false).ok()?;
-        let blocks = Blocks::new(&collapse, self.at, AMPLITUDE, moves, &[]);
-        Some(self.drawn(Some(&forces), collapse.joints_at_limit(), Some(blocks)))
+        Some(self.drawn(Some(&forces), Some((&collapse, self.at, moves))))
     }
 
     /// As it falls in a mode, with the joints of its state: a haunch goes to where the line of thrust is the furthest
@@ -41,42 +39,38 @@ impl Drawing<'_> {
         }
         let of = (&[][..], self.is_limited);
         let (forces, collapse) = falling(self.weight, mode, &mut at, of, (&[], false)).ok()?;
-        let blocks = Blocks::new(&collapse, &at, AMPLITUDE, moves, &[]);
-        Some(self.drawn(Some(&forces), collapse.joints_at_limit(), Some(blocks)))
+        Some(self.drawn(Some(&forces), Some((&collapse, &at, moves))))
     }
 
     /// As it stands, with the line of a crown moment.
     pub(crate) fn standing(&self, moment: DoubleDoubleBall) -> String {
         let forces =
             Forces::new(self.weight, (self.at, &[]), self.is_limited, &[moment], Vec::new());
-        self.drawn(Some(&forces), Vec::new(), None)
+        self.drawn(Some(&forces), None)
     }
 
     /// Without a line.
     pub(crate) fn bare(&self) -> String {
-        self.drawn(None, Vec::new(), None)
+        self.drawn(None, None)
     }
 
+    /// Its lines, if there are some, and how it falls from where, if it does.
     fn drawn(
         &self,
         forces: Option<&Forces<DoubleDoubleBall>>,
-        marks: Vec<(couplet_check::arch::mechanism::Contact, f64)>,
-        blocks: Option<Blocks>,
+        falls: Option<(&Collapse<DoubleDoubleBall>, &Configuration<DoubleDoubleBall>, bool)>,
     ) -> String {
         let eta = self.at.thickness.double();
-        let lines = forces.iter();
-        let lines = lines.map(|of| Lines { thrust: &of.thrust_lines, friction: &of.friction_line });
+        let marks = falls.map(|(collapse, ..)| collapse.joints_at_limit());
+        let blocks = |(collapse, at, moves)| Blocks::new(collapse, at, AMPLITUDE, moves, &[]);
         let view = ArchView {
             half_opening: self.at.half_opening.rad.double(),
             radii: [1.0 - eta / 2.0, 1.0 + eta / 2.0],
-            lines: lines.collect(),
-            is_standing: false,
+            lines: forces.iter().map(|of| of.lines()).collect(),
             has_jump: !self.is_limited && forces.is_some_and(|of| of.thrust.is_zero()),
-            marks,
-            blocks,
-            stones: Vec::new(),
-            half: false,
-            falls_right: false,
+            marks: marks.unwrap_or_default(),
+            blocks: falls.map(blocks),
+            ..ArchView::default()
         };
         picture(&view, WIDTH, self.title)
     }

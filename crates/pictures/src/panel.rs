@@ -9,10 +9,10 @@ use super::notation::{self, ArchNotation};
 use super::numbers::label;
 use super::sheet::Headings;
 use super::{Sketched, Style, at_limit};
-use crate::atlas::{Collapse, Sketch};
+use crate::atlas::{Collapse, Forces, Sketch};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Name, Page, Path, Print, Stroke, Svg, Type, text};
-use crate::sketch::{ArchView, Blocks, Hull, Lines, PageScale, SketchedLine};
+use crate::sketch::{ArchView, Blocks, Hull, PageScale};
 
 /// One arch with a mode in which it falls.
 pub(super) struct ModePanel<'a> {
@@ -90,11 +90,7 @@ impl<'a> ModePanel<'a> {
         let out = |joint: f64| {
             // Further out than the blocks there.
             let near = |[x, y]: &[f64; 2]| (x.atan2(*y) - joint).abs() < 0.3;
-            let lines = self.view.lines.iter().flat_map(|of| of.thrust.iter().chain([of.friction]));
-            let outside = lines.flat_map(SketchedLine::outside);
-            let outside = outside.flat_map(|part| part.places().collect::<Vec<_>>());
-            let corners = self.view.blocks.iter().flat_map(Blocks::corners).chain(outside);
-            corners.filter(near).map(|[x, y]| x.hypot(y)).fold(outer, f64::max)
+            self.view.outside().filter(near).map(|[x, y]| x.hypot(y)).fold(outer, f64::max)
         };
         let side = |turns: bool| if turns || self.style.half { 1.0 } else { -1.0 };
         let names = named(self.sketch, &self.view.marks).into_iter();
@@ -155,16 +151,13 @@ impl ModePanel<'_> {
 /// View of an arch, in the mode of its panel where there is one.
 fn view<'a>(sketch: &'a Sketch, collapse: Option<&Collapse>, style: Style) -> ArchView<'a> {
     let stones = sketch.stone_joints();
-    let marks = at_limit(sketch, collapse);
-    let lines = sketch.forces.iter();
-    let lines = lines.map(|of| Lines { thrust: &of.thrust_lines, friction: &of.friction_line });
     ArchView {
         half_opening: sketch.half_opening(),
         radii: sketch.radii(),
-        lines: lines.collect(),
+        lines: sketch.forces.iter().map(Forces::lines).collect(),
         is_standing: sketch.stands(),
         has_jump: sketch.has_jump(),
-        marks,
+        marks: at_limit(sketch, collapse),
         blocks: collapse.map(|collapse| {
             Blocks::new(collapse, &sketch.at, style.amplitude, style.animate, &stones)
         }),

@@ -62,8 +62,7 @@ impl Strip {
             return None;
         }
         let blocks = fallen(panel);
-        let lines =
-            sketch.forces.iter().flat_map(|of| of.thrust_lines.iter().chain([&of.friction_line]));
+        let lines = sketch.forces.iter().flat_map(|of| of.lines().all());
         let points = lines.flat_map(|line| &line.points).chain(blocks.iter().flatten());
         let furthest = points.map(|[_, offset]| offset.abs()).fold(0.5, f64::max);
         let across = ACROSS / (2.0 * furthest);

@@ -195,11 +195,8 @@ impl<'a> TiltPanel<'a> {
         let mut view = WholeView {
             half_opening,
             radii: [1.0 - thickness / 2.0, 1.0 + thickness / 2.0],
-            thrust: None,
-            friction: None,
-            marks: Vec::new(),
-            blocks: None,
             stones: all,
+            ..WholeView::default()
         };
         let mut moved = None;
         if let Some(TiltMechanism { forces, joints }) = arch.mechanism() {

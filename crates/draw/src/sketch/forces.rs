@@ -25,6 +25,22 @@ pub struct Forces<T> {
     pub marks: Vec<Mark<T>>,
 }
 
+/// The lines of a thrust.
+#[derive(Clone, Copy, Debug)]
+pub struct Lines<'a> {
+    /// Lines of thrust: one, or the two between which all others are.
+    pub thrust: &'a [SketchedLine],
+    /// Line of friction.
+    pub friction: &'a SketchedLine,
+}
+
+impl<'a> Lines<'a> {
+    /// All of them.
+    pub fn all(self) -> impl Iterator<Item = &'a SketchedLine> {
+        self.thrust.iter().chain([self.friction])
+    }
+}
+
 /// A joint at its limit.
 #[derive(Clone, Debug)]
 pub struct Mark<T> {
@@ -66,6 +82,11 @@ impl<T: Drawable> Forces<T> {
             beyond: None,
             marks,
         }
+    }
+
+    /// The lines of the thrust.
+    pub fn lines(&self) -> Lines<'_> {
+        Lines { thrust: &self.thrust_lines, friction: &self.friction_line }
     }
 }
 

@@ -1,6 +1,7 @@
 //! One arch on the page: its outline, its lines, the joints at their limits, and the blocks as they fall.
 
 use super::blocks::Blocks;
+use super::forces::Lines;
 use super::hull::Hull;
 use super::line::{SketchedLine, across};
 use super::look;
@@ -10,7 +11,7 @@ use crate::picture::color::WHITE;
 use crate::picture::{Path, Stroke, Svg};
 
 /// An arch in doubles, in units of `r`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct ArchView<'a> {
     /// The half opening, rad.
     pub half_opening: f64,
@@ -34,15 +35,6 @@ pub struct ArchView<'a> {
     pub falls_right: bool,
 }
 
-/// The lines of a thrust.
-#[derive(Clone, Copy, Debug)]
-pub struct Lines<'a> {
-    /// Lines of thrust: one, or the two between which all others are.
-    pub thrust: &'a [SketchedLine],
-    /// Line of friction.
-    pub friction: &'a SketchedLine,
-}
-
 /// A joint nearer to the crown than this part of the half arch is the crown.
 pub const CROWN: f64 = 1e-6;
 
@@ -57,14 +49,17 @@ impl ArchView<'_> {
         if self.half || self.falls_right { &[1.0] } else { &[1.0, -1.0] }
     }
 
+    /// Points of the right half that may be outside the arch: of its lines, and as it falls.
+    pub fn outside(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        let lines = self.lines.iter().flat_map(|of| of.all()).flat_map(SketchedLine::outside);
+        let places = lines.flat_map(|part| part.places().collect::<Vec<_>>());
+        self.blocks.iter().flat_map(Blocks::corners).chain(places)
+    }
+
     /// The room that the arch takes, with its lines and as it falls.
     pub fn hull(&self) -> Hull {
-        let corners = self.blocks.iter().flat_map(Blocks::corners);
-        let lines = self.lines.iter().flat_map(|of| of.thrust.iter().chain([of.friction]));
-        let outside = lines
-            .flat_map(|line| line.outside().flat_map(|part| part.places().collect::<Vec<_>>()));
         let ring = Hull::of_ring(self.half_opening, self.radii);
-        let right = corners.chain(outside).fold(ring, Hull::with);
+        let right = self.outside().fold(ring, Hull::with);
         // Whichever half falls.
         Hull { left: if self.half { -0.05 * self.radii[1] } else { -right.right }, ..right }
     }

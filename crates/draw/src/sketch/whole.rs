@@ -10,7 +10,7 @@ use crate::arch::mechanism::Contact;
 use crate::picture::{Path, Svg};
 
 /// An arch in doubles, in units of `r`; joints are positive on the right.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct WholeView {
     /// The half opening, rad.
     pub half_opening: f64,
