@@ -50,16 +50,16 @@ fn has_keystone(sketch: &Sketch) -> bool {
 
 /// The heading of a panel: the mode or the verdict, and what that means.
 pub(super) fn title(sketch: &Sketch, collapse: Option<&Collapse>) -> [String; 2] {
+    let is_dilatant = collapse.is_some_and(|collapse| collapse.is_dilatant);
+    let rule = if is_dilatant { ", associated flow rule" } else { "" };
+    let fails = |of| format!("{}{}", fails(of), at_joints(sketch, " at its joints"));
     match (collapse, &sketch.subject) {
         (Some(collapse), Subject::Standing { stability, .. }) => {
-            let rule = if collapse.is_dilatant { ", associated flow rule" } else { "" };
-            let stones = at_joints(sketch, " at its joints");
             let falls = format!("does not stand: falls as {}{rule}", collapse.mode.label());
-            [falls, format!("{}{stones}", fails(stability))]
+            [falls, fails(stability)]
         }
         (Some(collapse), _) => {
             let (label, falls) = name(sketch, collapse.mode);
-            let rule = if collapse.is_dilatant { ", associated flow rule" } else { "" };
             let place = match &sketch.subject {
                 Subject::Landmark(landmark) => format!(" at {}", words::symbol(*landmark)),
                 _ => String::new(),
@@ -71,10 +71,7 @@ pub(super) fn title(sketch: &Sketch, collapse: Option<&Collapse>) -> [String; 2]
                 "stands".into(),
                 "its lines of thrust, from the least thrust to the largest".into(),
             ],
-            false => {
-                let stones = at_joints(sketch, " at its joints");
-                ["does not stand".into(), format!("{}{stones}", fails(stability))]
-            }
+            false => ["does not stand".into(), fails(stability)],
         },
         (None, _) => [String::new(), String::new()],
     }
@@ -106,13 +103,10 @@ fn subject(sketch: &Sketch, metres: Option<&Metres>) -> String {
         metres.map_or(given.to_string(), |of| told(of, &of.thickness, DIGITS))
     };
     match &sketch.subject {
-        Subject::Least(arch) => {
-            format!("Arch of {}, friction {}, {model}", shape(arch), arch.friction())
-        }
         Subject::Landmark(landmark) => {
             format!("{} {}, {model}", words::capital(landmark.name()), words::symbol(*landmark))
         }
-        Subject::Standing { arch, is_chosen: true, .. } => {
+        Subject::Least(arch) | Subject::Standing { arch, is_chosen: true, .. } => {
             format!("Arch of {}, friction {}, {model}", shape(arch), arch.friction())
         }
         Subject::Standing { arch, thickness, .. } => format!(

@@ -41,9 +41,10 @@ fn given(sketch: &Sketch) -> Record {
     let mut fields = Record::default();
     fields.add("weight", sketch.weight.name());
     let (landmark, arch, thickness) = match &sketch.subject {
-        Subject::Least(arch) => (None, Some(arch), None),
         Subject::Landmark(landmark) => (Some(landmark.symbol()), None, None),
-        Subject::Standing { arch, is_chosen: true, .. } => (None, Some(arch), None),
+        Subject::Least(arch) | Subject::Standing { arch, is_chosen: true, .. } => {
+            (None, Some(arch), None)
+        }
         Subject::Standing { arch, thickness, .. } | Subject::Sliding { arch, thickness } => {
             (None, Some(arch), Some(thickness.to_string()))
         }

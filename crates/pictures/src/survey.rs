@@ -94,11 +94,13 @@ fn radii(of: &BandedArch) -> [f64; 2] {
     [1.0 - of.thickness / 2.0, 1.0 + of.thickness / 2.0]
 }
 
-/// Outline of a band: its upper edge, and its lower one back.
-fn outline(band: &[[f64; 3]], at: impl Fn(f64, f64) -> Point) -> Path {
-    let upper = band.iter().map(|[joint, _, upper]| at(*joint, *upper));
-    let lower = band.iter().rev().map(|[joint, lower, _]| at(*joint, *lower));
-    Path::around(upper.chain(lower))
+/// Draws a band between its lower and its upper edge.
+fn shade(svg: &mut Svg, [lower, upper]: [Vec<Point>; 2], edge: Stroke, share: f64) {
+    let around = upper.iter().chain(lower.iter().rev()).copied();
+    svg.tint(&Path::around(around), look::BAND, share);
+    for side in [lower, upper] {
+        svg.stroke(&Path::through(side), edge);
+    }
 }
 
 impl BandedArches {
@@ -136,17 +138,10 @@ impl BandedArches {
         for (name, of, edge, share) in self.shades() {
             let edges = [1, 2].map(|k| {
                 let place = |at: &[f64; 3]| [at[k] * at[0].sin(), at[k] * at[0].cos()];
-                across(of.band.iter().map(place), false)
+                let places = across(of.band.iter().map(place), false).into_iter();
+                places.map(|at| scale.at(at, 1.0)).collect()
             });
-            let edges = edges.map(|edge| edge.into_iter().map(|at| scale.at(at, 1.0)));
-            let [lower, upper] = edges.map(Iterator::collect::<Vec<_>>);
-            svg.group(name, |svg| {
-                let around = upper.iter().chain(lower.iter().rev()).copied();
-                svg.tint(&Path::around(around), look::BAND, share);
-                for side in [lower.clone(), upper.clone()] {
-                    svg.stroke(&Path::through(side), edge);
-                }
-            });
+            svg.group(name, |svg| shade(svg, edges, edge, share));
         }
         svg.group("outlines", |svg| {
             svg.stroke(&scale.sector(wide, radii(worst), 1.0), THIN);
@@ -179,11 +174,8 @@ impl BandedArches {
             svg.fill(&ring(worst.half_opening, radii(best)), look::STONE);
             svg.fill(&ring(best.half_opening, radii(worst)), CORE);
             for (_, of, edge, share) in self.shades() {
-                svg.tint(&outline(&of.band, at), look::BAND, share);
-                for k in [1, 2] {
-                    let points = of.band.iter().map(|edges| at(edges[0], edges[k]));
-                    svg.stroke(&Path::through(points), edge);
-                }
+                let edges = [1, 2].map(|k| of.band.iter().map(|of| at(of[0], of[k])).collect());
+                shade(svg, edges, edge, share);
             }
             svg.stroke(&ring(worst.half_opening, radii(worst)), THIN);
             svg.stroke(&ring(best.half_opening, radii(best)), look::OUTLINE);

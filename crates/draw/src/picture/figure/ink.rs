@@ -1,20 +1,14 @@
 //! The colour, dashes and marker of a line.
 
 use super::panel::{Kind, PlottedLine};
+use crate::number::list;
 use crate::picture::color::{Color, OKABE_ITO, WHITE};
 use crate::picture::{Path, Point, Stroke, Svg};
 
 /// Lengths of strokes and gaps in turn. None is a whole line.
 const DASHES: [&[f64]; 5] = [&[], &[9.0, 3.0], &[15.0, 3.0, 3.0, 3.0], &[4.0, 2.5], &[18.0, 5.0]];
-const MARKERS: [Marker; 8] = [
-    Marker::Disc,
-    Marker::OpenSquare,
-    Marker::Triangle,
-    Marker::OpenDiamond,
-    Marker::Cross,
-    Marker::Square,
-    Marker::OpenTriangle,
-    Marker::Ring,
+const MARKERS: [Marker; 8] = list![Marker:
+    Disc OpenSquare Triangle OpenDiamond Cross Square OpenTriangle Ring
 ];
 /// References, in turn.
 const REFERENCES: [&[f64]; 3] = [&[7.0, 5.0], &[2.0, 4.0], &[12.0, 4.0, 2.0, 4.0]];
@@ -125,9 +119,7 @@ impl Ink {
             }
         }
     }
-}
 
-impl Ink {
     /// The mark of a failure at a point.
     pub(super) fn fail(&self, svg: &mut Svg, (x, y): Point) {
         let color = self.stroke.color;
