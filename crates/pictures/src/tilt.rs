@@ -289,15 +289,20 @@ impl<'a> TiltPanel<'a> {
         format!("Arch of {}", self.arch.asked.with_weight(self.arch.arch.weight()))
     }
 
+    /// Number of a joint between stones, from the crown.
+    fn number(&self, joint: &JointAtLimit<'_>) -> Option<String> {
+        let (joint, stones) = joint.number.zip(self.arch.stones.as_ref())?;
+        Some(format!("joint {}", stones.from_crown(joint)))
+    }
+
     /// Words on what a joint does, and where it is.
     fn named(&self, joint: &JointAtLimit<'_>, digits: usize) -> [String; 2] {
         let angle = joint.degrees(digits);
         let happens = self.arch.happens(joint.side, joint.of.contact);
-        let number = joint.number.zip(self.arch.stones.as_ref());
-        let number = number.map(|(joint, stones)| format!(", joint {}", stones.from_crown(joint)));
+        let number = self.number(joint).map_or(String::new(), |number| format!(", {number}"));
         let place = match joint.is_crown() {
             true => "the crown".to_owned(),
-            false => format!("{angle}° {}{}", joint.side.name(), number.unwrap_or_default()),
+            false => format!("{angle}° {}{number}", joint.side.name()),
         };
         [happens.to_owned(), place]
     }
@@ -305,12 +310,8 @@ impl<'a> TiltPanel<'a> {
     fn paragraphs(&self) -> Vec<String> {
         let mut all = vec![format!("{}.", self.subject())];
         let Some([tilt, angle]) = self.largest() else {
-            let words = match self
-                .arch
-                .found
-                .as_ref()
-                .map(|found| found.as_ref().map(|found| &found.largest))
-            {
+            let found = self.arch.found.as_ref();
+            let words = match found.map(|found| found.as_ref().map(|found| &found.largest)) {
                 Ok(None) => "It does not stand without tilt either: proved.".to_owned(),
                 Ok(Some(Ok(LargestTilt::Unlimited))) => {
                     "It stands at every tilt: proved.".to_owned()
@@ -366,12 +367,10 @@ impl<'a> TiltPanel<'a> {
             let near = |[x, y]: &[f64; 2]| (x.atan2(*y) - angle).abs() < 0.2;
             let corners = self.view.blocks.iter().flat_map(Blocks::corners).filter(near);
             let out = corners.map(|[x, y]| x.hypot(y)).fold(self.view.radii[1], f64::max);
-            let number = joint.number.zip(self.arch.stones.as_ref());
-            let number =
-                number.map(|(joint, stones)| format!("joint {}, ", stones.from_crown(joint)));
+            let number = self.number(joint).map_or(String::new(), |number| format!("{number}, "));
             let place = match joint.is_crown() {
                 true => "the crown".to_owned(),
-                false => format!("{}{}°", number.unwrap_or_default(), joint.degrees(4)),
+                false => format!("{number}{}°", joint.degrees(4)),
             };
             (angle, out, place)
         })
