@@ -300,11 +300,12 @@ impl Svg {
         if color != GRID {
             self.keep(path);
         }
-        let (mut dashed, width) = (String::new(), Short(width));
-        if !dashes.is_empty() {
-            let lengths: Vec<String> = dashes.iter().map(|x| Short(*x).to_string()).collect();
-            dashed = format!(" stroke-dasharray=\"{}\"", lengths.join(" "));
-        }
+        let lengths: Vec<String> = dashes.iter().map(|x| Short(*x).to_string()).collect();
+        let dashed = match dashes {
+            [] => String::new(),
+            _ => format!(" stroke-dasharray=\"{}\"", lengths.join(" ")),
+        };
+        let width = Short(width);
         self.write(format_args!(
             "<path d=\"{path}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\"{dashed}/>"
         ));
@@ -385,10 +386,10 @@ impl Svg {
     pub fn text(&mut self, text: &str, (x, y): Point, style: Type) {
         let Type { size, color, anchor, turn, halo } = style;
         let (sin, cos) = turn.to_radians().sin_cos();
-        let from = match anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => -0.5,
-            Anchor::End => -1.0,
+        let (from, anchored) = match anchor {
+            Anchor::Start => (0.0, ""),
+            Anchor::Middle => (-0.5, " text-anchor=\"middle\""),
+            Anchor::End => (-1.0, " text-anchor=\"end\""),
         };
         let corner = |(along, up): Point| (x + along * cos - up * sin, y + along * sin + up * cos);
         let (long, more, half) = (width(text, size), BESIDE * size, HALF * size);
@@ -399,18 +400,13 @@ impl Svg {
         }
         self.drawn.taken.extend(hull(&corners));
         let (x, y) = (x - MIDDLE * size * sin, y + MIDDLE * size * cos);
-        let mut more = String::new();
-        match anchor {
-            Anchor::Start => {}
-            Anchor::Middle => more += " text-anchor=\"middle\"",
-            Anchor::End => more += " text-anchor=\"end\"",
-        }
         let (x, y) = (Short(x), Short(y));
-        if turn != 0.0 {
-            more += &format!(" transform=\"rotate({} {x} {y})\"", Short(turn));
-        }
+        let turned = match turn {
+            0.0 => String::new(),
+            _ => format!(" transform=\"rotate({} {x} {y})\"", Short(turn)),
+        };
         self.write(format_args!(
-            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{color}\"{more}>{}</text>",
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{color}\"{anchored}{turned}>{}</text>",
             Short(size),
             escaped(text)
         ));
