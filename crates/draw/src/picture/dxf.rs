@@ -2,6 +2,7 @@
 //! value, each on a line.
 
 use super::arcs::Bulge;
+use super::path::short;
 use super::svg::Anchor;
 use crate::problem::measures::LengthUnit;
 
@@ -179,14 +180,8 @@ impl DxfFile {
         handle
     }
 
-    /// A number as short as it goes.
     fn number(&mut self, code: u16, value: f64, decimals: i32) {
-        let text = format!("{value:.*}", decimals.max(0) as usize);
-        let short = match text.contains('.') {
-            true => text.trim_end_matches('0').trim_end_matches('.'),
-            false => &text,
-        };
-        self.put(code, if short == "-0" { "0" } else { short });
+        self.put(code, &short(value, decimals.max(0) as usize));
     }
 
     /// Writes a length, as precise in a small unit as in a large one.

@@ -132,10 +132,18 @@ pub(super) struct Short(pub(super) f64);
 
 impl fmt::Display for Short {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let text = format!("{:.3}", self.0);
-        let text = text.trim_end_matches('0').trim_end_matches('.');
-        f.write_str(if text == "-0" { "0" } else { text })
+        f.write_str(&short(self.0, 3))
     }
+}
+
+/// A number to so many decimals, as short as it goes.
+pub(super) fn short(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let short = match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.'),
+        false => &text,
+    };
+    if short == "-0" { "0" } else { short }.to_owned()
 }
 
 #[cfg(test)]
