@@ -3,7 +3,7 @@
 use super::asymmetric::AsymmetricLines;
 use super::canvas::Canvas;
 use super::chain::{Chain, larger};
-use super::plane::Plane;
+use super::plane::{Plane, PlaneAxis};
 use super::sheet::Sheet;
 use super::{domain, look};
 use crate::atlas::{Contour, Curve, Level};
@@ -74,9 +74,10 @@ impl PlaneContent {
         lines.chain(levels).chain(self.asymmetric.iter().flat_map(AsymmetricLines::chains))
     }
 
-    /// Distance that a line that a frame shows may have from the truth.
-    pub(super) fn off(&self, frame: &Frame) -> [f64; 2] {
-        self.chains().map(|chain| chain.off(frame)).fold([0.0; 2], larger)
+    /// Distance that a line that a frame shows may have from the truth, along each axis.
+    pub(super) fn off(&self, frame: &Frame) -> [(PlaneAxis, f64); 2] {
+        let off = self.chains().map(|chain| chain.off(frame)).fold([0.0; 2], larger);
+        [0, 1].map(|k| (self.canvas.axes[k], off[k]))
     }
 
     /// Place of a landmark.

@@ -8,7 +8,7 @@ use super::inset;
 use super::margin;
 use super::mark::{self, Mark};
 use super::page::SIZE;
-use super::plane::{Plane, PlaneAxis};
+use super::plane::Plane;
 use super::sheet::Sheet;
 use super::spot::away;
 use crate::arch::SelfWeight;
@@ -64,8 +64,7 @@ impl FramedMap {
         let frame = Frame { corner: (0.0, 0.0), size: SIZE, x: x.range, y: y.range };
         let off = content.off(&frame);
         let sheets = std::slice::from_ref(sheet);
-        let shown = [(*x, off[0]), (*y, off[1])];
-        let mut words = caption(plane.shows(), sheets, (&shown, SIZE), &of_levels(sheets), "");
+        let mut words = caption(plane.shows(), sheets, (&off, SIZE), &of_levels(sheets), "");
         words.truncate(1);
         words.extend(mark::words(marks, &canvas));
         let mut svg = Svg::new(SIZE, plane.shows(), "");
@@ -73,10 +72,7 @@ impl FramedMap {
         let around = Surroundings {
             labels: [x.label, y.label],
             ranges: [x.range, y.range],
-            off: [0, 1].map(|k| {
-                let axis: &PlaneAxis = &canvas.axes[k];
-                off[k] * axis.unit
-            }),
+            off: off.map(|(axis, off)| off * axis.unit),
             landmarks: content
                 .landmarks
                 .iter()

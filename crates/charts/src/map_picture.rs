@@ -46,8 +46,7 @@ impl MapPicture<'_> {
         let has_levels = !content.levels.is_empty();
         let page = MapPage::new(canvas, has_levels, print)?;
         let frame = &page.frame;
-        let ([x, y], [across, up]) = (canvas.axes, content.off(frame));
-        let (sheets, off) = (std::slice::from_ref(self.sheet), [(x, across), (y, up)]);
+        let (sheets, off) = (std::slice::from_ref(self.sheet), content.off(frame));
         let mut words = caption(
             canvas.plane.shows(),
             sheets,

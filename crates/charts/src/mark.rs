@@ -158,6 +158,14 @@ impl Mark {
         Ok(Self { weight: arches.weight(), ends, is_range: true, words })
     }
 
+    /// Place of an arch and, where it is another, that at the thickness that is given, in the units of the axes.
+    fn stroke(&self, canvas: &Canvas) -> Option<(Point, Option<Point>)> {
+        let [end, _] = &self.ends;
+        let at = end.at(canvas, end.least)?;
+        let given = end.given.and_then(|given| end.at(canvas, Some(given)));
+        Some((at, given.filter(|given| *given != at)))
+    }
+
     /// Opposite corners, in the units of the axes, of the box of a range at the least thickness or, if it is another
     /// place, at the thickness that is given. Where no thickness is enough the box has no upper end.
     fn corners(&self, canvas: &Canvas, is_given: bool) -> Option<[Point; 2]> {
@@ -244,10 +252,8 @@ pub(super) fn ends(marks: &[Mark], canvas: &Canvas) -> Vec<(Point, Option<Point>
             });
             return Some((first, Some(last), true));
         }
-        let [end, _] = &mark.ends;
-        let at = end.at(canvas, end.least)?;
-        let given = end.given.and_then(|given| end.at(canvas, Some(given)));
-        Some((at, given.filter(|given| *given != at), false))
+        let (at, given) = mark.stroke(canvas)?;
+        Some((at, given, false))
     };
     marks.iter().filter_map(ends).collect()
 }
@@ -272,10 +278,8 @@ pub(super) fn places(marks: &[Mark], canvas: &Canvas, frame: &Frame) -> Vec<Plac
             let at = beside(least.or(given)?, frame);
             return Some(Placed { number, at, outlines: [least, given], given: None });
         }
-        let [end, _] = &mark.ends;
-        let at = end.at(canvas, end.least).filter(|at| frame.shows(*at))?;
-        let given = end.given.and_then(|given| end.at(canvas, Some(given)));
-        let given = given.filter(|given| *given != at).map(|(x, y)| {
+        let (at, given) = mark.stroke(canvas).filter(|(at, _)| frame.shows(*at))?;
+        let given = given.map(|(x, y)| {
             let [low, high] = frame.y;
             (frame.at((x, y.clamp(low, high))), frame.shows((x, y)))
         });
