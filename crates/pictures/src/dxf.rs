@@ -14,7 +14,7 @@ use crate::picture::Anchor;
 use crate::picture::arcs::arcs;
 use crate::picture::dxf::DxfFile;
 use crate::problem::measures::LengthUnit;
-use crate::sketch::{Blocks, Hull, WholeView, across, on_sides};
+use crate::sketch::{Blocks, Hull, WholeView, across, on_sides, polar};
 use std::io;
 
 /// The layers and their colours by number.
@@ -47,10 +47,6 @@ const NEAR: f64 = 0.02;
 const DIGITS: usize = 6;
 /// The radius of a hinge.
 const HINGE: f64 = 0.015;
-
-fn polar(joint: f64, radius: f64) -> [f64; 2] {
-    [radius * joint.sin(), radius * joint.cos()]
-}
 
 fn mirrored([x, y]: [f64; 2], side: f64) -> [f64; 2] {
     [side * x, y]

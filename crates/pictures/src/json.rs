@@ -9,6 +9,7 @@ use crate::atlas::{Block, Collapse, Forces, Sketch, SketchedLine, Subject, moved
 use crate::number::{Ball, Drawable};
 use crate::problem::Mode;
 use crate::report::Record;
+use crate::sketch::polar;
 use rug::float::Round;
 use serde_json::{Value as Json, json};
 
@@ -133,12 +134,9 @@ fn twist(twist: &Twist<Ball>) -> Json {
 /// A block where it has moved to.
 pub(crate) fn placed(block: &Block, radii: [f64; 2], unit: f64) -> Json {
     let [cos, sin] = block.motion.turn;
-    let corners = block.between.into_iter().flat_map(|joint| {
-        radii.map(|radius| {
-            let corner = block.motion.to(&[radius * joint.sin(), radius * joint.cos()]);
-            corner.map(|x| x * unit)
-        })
-    });
+    let corner = |joint, radius| block.motion.to(&polar(joint, radius)).map(|x| x * unit);
+    let joints = block.between.into_iter();
+    let corners = joints.flat_map(|joint| radii.map(|radius| corner(joint, radius)));
     json!({
         "between": block.between,
         "rotation": sin.atan2(cos),

@@ -5,7 +5,7 @@ use crate::arch::mechanism::Contact;
 use crate::atlas::{Block, SketchedLine, moved};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::{Anchor, Page, Path, Point, Svg, Type, text};
-use crate::sketch::{across, look};
+use crate::sketch::{across, look, polar};
 
 /// The frame of an arch that is unrolled.
 pub(super) struct Strip {
@@ -34,8 +34,7 @@ fn fallen(panel: &ModePanel) -> Vec<Vec<[f64; 2]>> {
         let [from, to] = block.between;
         let at = |k: u32, offset: f64| {
             let joint = from + (to - from) * f64::from(k) / f64::from(POINTS);
-            let radius = 1.0 + offset * eta;
-            let [x, y] = block.motion.to(&[radius * joint.sin(), radius * joint.cos()]);
+            let [x, y] = block.motion.to(&polar(joint, 1.0 + offset * eta));
             [x.atan2(y), (x.hypot(y) - 1.0) / eta]
         };
         let there = (0..=POINTS).map(|k| at(k, 0.5));

@@ -9,7 +9,7 @@ use crate::atlas::BandedArch;
 use crate::picture::color::INK;
 use crate::picture::{Anchor, Color, Page, Path, Point, Print, Stroke, Svg, Type};
 use crate::report::{Content, Format, MEANING, Record, Reported, SurveyedArches, words};
-use crate::sketch::{Hull, PageScale, across, look};
+use crate::sketch::{Hull, PageScale, across, look, polar};
 use couplet_survey::QuantityRange;
 use std::io;
 
@@ -137,8 +137,8 @@ impl BandedArches {
         });
         for (name, of, edge, share) in self.shades() {
             let edges = [1, 2].map(|k| {
-                let place = |at: &[f64; 3]| [at[k] * at[0].sin(), at[k] * at[0].cos()];
-                let places = across(of.band.iter().map(place), false).into_iter();
+                let places = of.band.iter().map(|at| polar(at[0], at[k]));
+                let places = across(places, false).into_iter();
                 places.map(|at| scale.at(at, 1.0)).collect()
             });
             svg.group(name, |svg| shade(svg, edges, edge, share));

@@ -401,9 +401,9 @@ impl Svg {
         self.drawn.taken.extend(hull(&corners));
         let (x, y) = (x - MIDDLE * size * sin, y + MIDDLE * size * cos);
         let (x, y) = (Short(x), Short(y));
-        let turned = match turn {
-            0.0 => String::new(),
-            _ => format!(" transform=\"rotate({} {x} {y})\"", Short(turn)),
+        let turned = match turn == 0.0 {
+            true => String::new(),
+            false => format!(" transform=\"rotate({} {x} {y})\"", Short(turn)),
         };
         self.write(format_args!(
             "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{color}\"{anchored}{turned}>{}</text>",

@@ -3,7 +3,7 @@
 use super::Collapse;
 use super::look;
 use super::moved::{Block, moved};
-use super::scale::PageScale;
+use super::scale::{PageScale, polar};
 use crate::arch::Configuration;
 use crate::number::Drawable;
 use crate::picture::{Path, Point, Rigid, Svg};
@@ -104,7 +104,7 @@ impl Blocks {
             let [from, to] = block.between;
             let half = (to - from) / 2.0;
             let (middle, radius) = ((from + to) / 2.0, half.sin() / half);
-            let centre = [radius * middle.sin(), radius * middle.cos()];
+            let centre = polar(middle, radius);
             let [tail, head] =
                 [centre, block.motion.to(&centre)].map(|point| scale.at(point, side));
             arrow(svg, tail, head);
@@ -117,9 +117,7 @@ impl Blocks {
         self.fallen.iter().flat_map(move |block| {
             let [from, to] = block.between;
             let joints = (0..=8).map(move |k| from + (to - from) * f64::from(k) / 8.0);
-            joints.flat_map(move |joint| {
-                radii.map(|radius| block.motion.to(&[radius * joint.sin(), radius * joint.cos()]))
-            })
+            joints.flat_map(move |joint| radii.map(|radius| block.motion.to(&polar(joint, radius))))
         })
     }
 }

@@ -1,5 +1,6 @@
 //! A line through the arch as a chain of points.
 
+use super::scale::polar;
 use crate::number::{Angle, Drawable};
 
 /// A line from the crown to the shoulder.
@@ -26,8 +27,7 @@ const HALVINGS: u32 = 12;
 
 /// Place to the right and up.
 fn place([angle, offset]: [f64; 2], thickness: f64) -> [f64; 2] {
-    let radius = 1.0 + offset * thickness;
-    [radius * angle.sin(), radius * angle.cos()]
+    polar(angle, 1.0 + offset * thickness)
 }
 
 impl SketchedLine {

@@ -5,6 +5,7 @@
 //! with slides. The motion is followed in small steps, for the eye.
 
 use super::moved::Block;
+use super::scale::polar;
 use crate::arch::mechanism::{Contact, Motion, Twist};
 use crate::number::Angle;
 
@@ -123,9 +124,9 @@ impl Linkage {
     fn corners(&self) -> impl Iterator<Item = (usize, [f64; 2])> + '_ {
         let radii = [-0.5, 0.5].map(|share| 1.0 + share * self.thickness);
         (0..3).flat_map(move |k| {
-            [self.joints[k].1, self.joints[k + 1].1].into_iter().flat_map(move |joint| {
-                radii.map(|radius| (k, [radius * joint.sin(), radius * joint.cos()]))
-            })
+            [self.joints[k].1, self.joints[k + 1].1]
+                .into_iter()
+                .flat_map(move |joint| radii.map(|radius| (k, polar(joint, radius))))
         })
     }
 
@@ -155,8 +156,7 @@ mod tests {
 
     fn place((contact, joint): (Contact, f64), thickness: f64) -> [f64; 2] {
         let face = if contact == Extrados { 0.5 } else { -0.5 };
-        let radius = 1.0 + face * thickness;
-        [radius * joint.sin(), radius * joint.cos()]
+        polar(joint, 1.0 + face * thickness)
     }
 
     /// Four hinges in turn at both faces: blocks stay together at them, and on the ground.

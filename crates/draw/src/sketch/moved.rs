@@ -1,6 +1,7 @@
 //! The blocks after a finite motion.
 
 use super::collapse::Collapse;
+use super::scale::polar;
 use crate::arch::Configuration;
 use crate::arch::mechanism::{Motion, moves_keystone};
 use crate::number::Drawable;
@@ -61,9 +62,8 @@ pub fn moved<T: Drawable>(collapse: &Collapse<T>, at: &Configuration<T>, amplitu
     let largest = |by: f64| {
         let blocks = blocks(by);
         let away = blocks.iter().flat_map(|block| {
-            let corners = block.between.into_iter().flat_map(move |beta| {
-                radii.map(|radius| [radius * beta.sin(), radius * beta.cos()])
-            });
+            let joints = block.between.into_iter();
+            let corners = joints.flat_map(move |joint| radii.map(|radius| polar(joint, radius)));
             corners.map(|corner| {
                 let to = block.motion.to(&corner);
                 (to[0] - corner[0]).hypot(to[1] - corner[1])

@@ -11,6 +11,11 @@ pub struct PageScale {
     pub radius: f64,
 }
 
+/// A point to the right and up of the centre, by its joint and radius.
+pub fn polar(joint: f64, radius: f64) -> [f64; 2] {
+    [radius * joint.sin(), radius * joint.cos()]
+}
+
 impl PageScale {
     /// A point to the right and up of the centre; `side` is -1 for the left half. To a hundredth of the page's
     /// unit, which no eye sees and files are shorter by.
@@ -21,7 +26,7 @@ impl PageScale {
 
     /// A point by its joint and radius.
     pub fn polar(&self, joint: f64, radius: f64, side: f64) -> Point {
-        self.at([radius * joint.sin(), radius * joint.cos()], side)
+        self.at(polar(joint, radius), side)
     }
 
     /// The part of a ring between two joints, once round.
