@@ -4,6 +4,7 @@ use super::canvas::Canvas;
 use super::look;
 use super::plane::{DEGREES, PlaneAxis};
 use crate::atlas::{Level, Piece, Place, Section, Trace, arc, over_joint};
+use crate::picture::room::span;
 use crate::picture::{Frame, Path, Point, Stroke, Svg};
 use crate::problem::Mode;
 
@@ -123,9 +124,8 @@ impl Chain {
     pub(super) fn off(&self, frame: &Frame) -> [f64; 2] {
         let is_seen = |arc: &&Arc| {
             let within = |of: fn(&Point) -> f64, [low, high]: [f64; 2]| {
-                let all = arc.corners.iter().map(of);
-                let least = all.clone().fold(f64::INFINITY, f64::min);
-                least <= high && all.fold(f64::NEG_INFINITY, f64::max) >= low
+                let [least, most] = span(arc.corners.iter().map(of));
+                least <= high && most >= low
             };
             within(|p| p.0, frame.x) && within(|p| p.1, frame.y)
         };

@@ -5,7 +5,7 @@ use super::content::PlaneContent;
 use super::page::{self, SIZE};
 use super::plane::{Plane, step};
 use crate::picture::color::{INK, WHITE};
-use crate::picture::room::{Rectangle, about, roomiest, within};
+use crate::picture::room::{Rectangle, about, roomiest, span, within};
 use crate::picture::scale::Tick;
 use crate::picture::text;
 use crate::picture::{Frame, FrameSide, Name, Path, Point, Stroke, Svg, Type};
@@ -93,10 +93,8 @@ impl Inset {
         }
         let inset = |name, corner: Point, size: Point, points: &[Point], [x, y]: [f64; 2]| {
             let range = |of: fn(&Point) -> f64, more: f64, limits: [f64; 2]| {
-                let values = points.iter().map(of);
-                let low: f64 = values.clone().fold(f64::INFINITY, f64::min) - more;
-                let high = values.fold(f64::NEG_INFINITY, f64::max) + more;
-                [low.max(limits[0]), high.min(limits[1])]
+                let [low, high] = span(points.iter().map(of));
+                [(low - more).max(limits[0]), (high + more).min(limits[1])]
             };
             let (x, y) = (range(|p| p.0, x, limits[0]), range(|p| p.1, y, limits[1]));
             Self { frame: Frame { corner, size, x, y }, name }

@@ -7,6 +7,7 @@ use crate::caption::told;
 use crate::chain::Chain;
 use crate::graph::{Graph, GraphLine, Graphs, WIDTH, off, size};
 use crate::picture::color::INK;
+use crate::picture::room::span;
 use crate::picture::{Color, Name, Point, Print, Stroke};
 use crate::plane::{PlaneAxis, step};
 use crate::report::words::{kind, model};
@@ -36,15 +37,13 @@ fn place(meeting: &Meeting) -> Option<Point> {
     Some((place.friction?.mid().to_f64(), place.thickness?.mid().to_f64()))
 }
 
-/// An axis about some values, with room at its ends as shares of what they span.
+/// An axis about a range of values, with room at its ends as shares of it.
 fn axis(
     coordinate: Coordinate,
     label: &'static str,
-    values: impl Iterator<Item = f64> + Clone,
+    [least, most]: [f64; 2],
     room: [f64; 2],
 ) -> PlaneAxis {
-    let least = values.clone().fold(f64::INFINITY, f64::min);
-    let most = values.fold(f64::NEG_INFINITY, f64::max);
     let range = [least - room[0] * (most - least), most + room[1] * (most - least)];
     let step = step(range, 5.0).unwrap_or(1.0);
     PlaneAxis::new(coordinate, label, range, step)
@@ -68,10 +67,10 @@ pub(crate) fn picture(all: &BranchArches, print: &Print) -> io::Result<String> {
     let open: Vec<String> = all.arches.iter().flat_map(BranchArch::open).collect();
     let meetings = found.iter().flat_map(|(branch, _)| branch.meetings());
     let points: Vec<Point> = meetings.filter_map(place).collect();
-    let across = points.iter().map(|point| point.0);
-    let x = axis(Coordinate::Friction, "friction coefficient μ", across.clone(), [0.12, 0.3]);
+    let across = span(points.iter().map(|point| point.0));
+    let x = axis(Coordinate::Friction, "friction coefficient μ", across, [0.12, 0.3]);
     // Above there is room for the legend.
-    let up = points.iter().map(|point| point.1);
+    let up = span(points.iter().map(|point| point.1));
     let y = axis(Coordinate::Thickness, "thickness to radius η = t/r", up, [0.15, 0.75]);
     let panels: Vec<Graph> =
         found.iter().map(|(branch, least)| panel(branch, least, x, y)).collect();
@@ -89,8 +88,7 @@ pub(crate) fn picture(all: &BranchArches, print: &Print) -> io::Result<String> {
         false => format!("not proved: {}", open.join("; ")),
     };
     let first = x.range[0];
-    let share = across.fold(f64::INFINITY, f64::min) - first;
-    let legend_at = (0, (20.0 + WIDTH * share / (x.range[1] - first), 20.0));
+    let legend_at = (0, (20.0 + WIDTH * (across[0] - first) / (x.range[1] - first), 20.0));
     let words = vec![
         format!(
             "{title}, half opening {half_opening}, {weights}. On the thick lines an arch has an admissible state, and \

@@ -10,6 +10,11 @@ pub fn about(middle: Point, half: Point) -> Rectangle {
     [(middle.0 - half.0, middle.1 - half.1), (middle.0 + half.0, middle.1 + half.1)]
 }
 
+/// The least and the largest of some values.
+pub fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
 /// Points of the grid that is searched, in each direction; then around the best, ever finer.
 const GRID: usize = 40;
 const TURNS: usize = 3;
@@ -45,24 +50,19 @@ pub fn roomiest(
         });
         room.filter(|_| is_inside(&corners, at))
     };
-    let bounds = |of: fn(&Point) -> f64| {
-        let values = corners.iter().map(of);
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
-    };
-    let (mut x, mut y) = (bounds(|p| p.0), bounds(|p| p.1));
+    let (mut x, mut y) = (span(corners.iter().map(|p| p.0)), span(corners.iter().map(|p| p.1)));
     let mut best: Option<(f64, Point)> = None;
     for _ in 0..TURNS {
-        let place =
-            |(low, high): (f64, f64), k| low + (high - low) * (k as f64 + 0.5) / GRID as f64;
+        let place = |[low, high]: [f64; 2], k| low + (high - low) * (k as f64 + 0.5) / GRID as f64;
         for (i, j) in (0..GRID).flat_map(|i| (0..GRID).map(move |j| (i, j))) {
             let at = (place(x, i), place(y, j));
             let least = best.map_or(f64::NEG_INFINITY, |(most, _)| most);
             best = clearance(at, least).map(|here| (here, at)).or(best);
         }
         let (_, at) = best?;
-        let around = |(low, high): (f64, f64), middle: f64| {
+        let around = |[low, high]: [f64; 2], middle: f64| {
             let step = 2.0 * (high - low) / GRID as f64;
-            (middle - step, middle + step)
+            [middle - step, middle + step]
         };
         (x, y) = (around(x, at.0), around(y, at.1));
     }
