@@ -24,7 +24,8 @@ pub(super) struct PlaneContent {
     pub asymmetric: Option<AsymmetricLines>,
     /// The landmarks.
     pub landmarks: Vec<(Landmark, Point)>,
-    canvas: Canvas,
+    /// Canvas on which all this is.
+    pub canvas: Canvas,
 }
 
 /// The lines between domains, and the limit.

@@ -78,7 +78,7 @@ impl FramedMap {
                 .iter()
                 .map(|(of, at)| (words::symbol(*of), *at, away(*of, plane)))
                 .collect(),
-            insets: inset::enlarged(&content, &canvas),
+            insets: inset::enlarged(&content),
             domains: Mode::ALL.map(|mode| (domain_id(mode), mode.label())).to_vec(),
             levels: content
                 .levels

@@ -37,15 +37,10 @@ const NAME: f64 = 26.0;
 impl Inset {
     /// The insets of a map: S and J, which are close, and where thin domains lie side by side, these too. On axes
     /// as usual each has its place; on others it is put where a domain has room for it, off what is `taken`.
-    pub(super) fn all(
-        content: &PlaneContent,
-        canvas: &Canvas,
-        map: &Frame,
-        taken: &[Rectangle],
-    ) -> Vec<Self> {
-        let parts = parts(content, canvas);
+    pub(super) fn all(content: &PlaneContent, map: &Frame, taken: &[Rectangle]) -> Vec<Self> {
+        let canvas = &content.canvas;
         if !canvas.is_usual && map.size.0 >= SIZE.0 {
-            return roomy(content, &parts, map, taken);
+            return roomy(content, map, taken);
         }
         let inset = |(name, [x, y]): &EnlargedPart| {
             let (place, size) = match (canvas.plane, *name) {
@@ -55,7 +50,7 @@ impl Inset {
             };
             Self { frame: Frame { corner: place, size, x: *x, y: *y }, name }
         };
-        Self::within(map, parts.iter().map(inset).collect())
+        Self::within(map, parts(content).iter().map(inset).collect())
     }
 
     /// Insets in a map, whose places and sizes are those in one of the usual width; below one that is narrow, each as
@@ -171,13 +166,14 @@ impl Inset {
 type EnlargedPart = (&'static str, [[f64; 2]; 2]);
 
 /// Parts that are shown larger, where the axes are as usual.
-pub(super) fn enlarged(content: &PlaneContent, canvas: &Canvas) -> Vec<[[f64; 2]; 2]> {
-    parts(content, canvas).into_iter().map(|(_, part)| part).collect()
+pub(super) fn enlarged(content: &PlaneContent) -> Vec<[[f64; 2]; 2]> {
+    parts(content).into_iter().map(|(_, part)| part).collect()
 }
 
 /// The parts that are shown larger, within the map.
-fn parts(content: &PlaneContent, canvas: &Canvas) -> Vec<EnlargedPart> {
+fn parts(content: &PlaneContent) -> Vec<EnlargedPart> {
     use Landmark as L;
+    let canvas = &content.canvas;
     let [Some(s), Some(t), Some(j), Some(l)] =
         [L::Shift, L::Triple, L::Junction, L::OverturningEnd].map(|landmark| content.of(landmark))
     else {
@@ -212,12 +208,7 @@ const SIZES: [Point; 3] = [(260.0, 215.0), (210.0, 170.0), (170.0, 130.0)];
 const LARGER: f64 = 2.0;
 
 /// Insets where domains have room for them.
-fn roomy(
-    content: &PlaneContent,
-    parts: &[EnlargedPart],
-    map: &Frame,
-    taken: &[Rectangle],
-) -> Vec<Inset> {
+fn roomy(content: &PlaneContent, map: &Frame, taken: &[Rectangle]) -> Vec<Inset> {
     let window = [map.corner, (map.right(), map.bottom())];
     let outline = |way: &super::chain::Chain| -> Vec<Point> {
         let points: Vec<Point> = way.points().into_iter().map(|at| map.at(at)).collect();
@@ -231,7 +222,7 @@ fn roomy(
         .chain(discs.map(|(_, at)| about(map.at(*at), (NAME, NAME))))
         .collect();
     let mut found = Vec::new();
-    for (name, [x, y]) in parts {
+    for (name, [x, y]) in parts(content) {
         let (low, high) = (map.at((x[0], y[0])), map.at((x[1], y[1])));
         let (across, up) = (high.0 - low.0, low.1 - high.1);
         let is_seen = across > 0.0 && up > 0.0;
@@ -239,7 +230,7 @@ fn roomy(
             if LARGER * across > size.0 || LARGER * up > size.1 {
                 return None;
             }
-            let inset = Inset { frame: Frame { corner: (0.0, 0.0), size, x: *x, y: *y }, name };
+            let inset = Inset { frame: Frame { corner: (0.0, 0.0), size, x, y }, name };
             let [from, to] = inset.taken();
             let half = ((to.0 - from.0) / 2.0, (to.1 - from.1) / 2.0);
             let mut places = outlines.iter().map(|outline| roomiest(outline, half, &taken, &[]));

@@ -12,7 +12,6 @@ use super::page::{BELOW, MapPage};
 use super::plane::Plane;
 use super::sheet::Sheet;
 use super::spot;
-use crate::atlas::Coordinate;
 use crate::picture::color::INK;
 use crate::picture::labels::Labels;
 use crate::picture::room::{Rectangle, about};
@@ -65,7 +64,7 @@ impl MapPicture<'_> {
         let within = legend.filter(|_| !page.is_narrow());
         let taken: Vec<Rectangle> =
             marks.iter().map(|mark| mark::taken(mark.at)).chain(within).collect();
-        let mut insets = Inset::all(&content, canvas, frame, &taken);
+        let mut insets = Inset::all(&content, frame, &taken);
         // No inset covers a mark.
         insets.retain(|inset| !marks.iter().flat_map(Placed::points).any(|at| inset.covers(at)));
         let insets_down = Inset::down(&insets, frame);
@@ -74,7 +73,7 @@ impl MapPicture<'_> {
             content.draw(svg, frame, "");
         });
         if has_levels {
-            svg.group("levels", |svg| margin::levels(svg, frame, canvas.plane, &content.levels));
+            svg.group("levels", |svg| margin::levels(svg, frame, &content));
         }
         let mut named = Vec::new();
         for inset in &insets {
@@ -91,7 +90,7 @@ impl MapPicture<'_> {
             mark::draw(&mut svg, &larger, inset.id());
         }
         let parts = Inset::draw_parts(&insets, &mut svg, frame);
-        let values = margin::upright(&mut svg, frame, canvas.plane, &content.levels);
+        let values = margin::upright(&mut svg, frame, &content);
         let mut names = self.names(&content, frame, NAMES);
         names.labels.taken = insets.iter().map(Inset::taken).chain(taken).chain(values).collect();
         names.labels.lines.extend(marks.iter().flat_map(Placed::lines));
@@ -117,12 +116,11 @@ impl MapPicture<'_> {
     }
 
     fn names<'a>(&self, content: &'a PlaneContent, frame: &'a Frame, sizes: [f64; 2]) -> Names<'a> {
-        let is_mirrored = self.canvas.axes[0].coordinate == Coordinate::OpeningVariable;
         let chains = content.chains().chain(&content.edge);
         let lines = chains.map(|chain| on_page(chain, frame)).collect();
         let window = Some([frame.corner, (frame.right(), frame.bottom())]);
         let labels = Labels { lines, window, ..Labels::default() };
-        Names { content, plane: self.canvas.plane, frame, sizes, is_mirrored, labels }
+        Names { content, frame, sizes, labels }
     }
 
     /// Says it well above a legend, which it is no title of; the area that it takes.

@@ -1,6 +1,8 @@
 //! The values of levels, outside the frame where these end.
 
+use super::canvas::Canvas;
 use super::chain::Chain;
+use super::content::PlaneContent;
 use super::plane::Plane;
 use crate::atlas::Contour;
 use crate::picture::color::{GUIDE, INK, WHITE};
@@ -51,17 +53,13 @@ fn leaves(chain: &Chain, frame: &Frame, is_right: bool) -> Option<Point> {
 }
 
 /// Values of frictions over the friction angle, beside their upright lines, which end at no such edge; what they take.
-pub(super) fn upright(
-    svg: &mut Svg,
-    frame: &Frame,
-    plane: Plane,
-    levels: &[(Contour, Chain)],
-) -> Vec<Rectangle> {
+pub(super) fn upright(svg: &mut Svg, frame: &Frame, content: &PlaneContent) -> Vec<Rectangle> {
     let is_upright = |contour: &Contour| {
+        let plane = content.canvas.plane;
         matches!(contour, Contour::Friction(_)) && plane == Plane::ThicknessFriction
     };
     let mut taken = Vec::new();
-    for (contour, chain) in levels.iter().filter(|(contour, _)| is_upright(contour)) {
+    for (contour, chain) in content.levels.iter().filter(|(contour, _)| is_upright(contour)) {
         let Some([_, top]) = chain.ends().filter(|[_, top]| frame.shows(*top)) else { continue };
         let label = shown(contour, true);
         let (x, y) = frame.at(top);
@@ -74,8 +72,9 @@ pub(super) fn upright(
 }
 
 /// Values at the right edge, or above the upper one, with the name of their quantity.
-pub(super) fn levels(svg: &mut Svg, frame: &Frame, plane: Plane, levels: &[(Contour, Chain)]) {
-    let is_right = plane == Plane::ThicknessFriction;
+pub(super) fn levels(svg: &mut Svg, frame: &Frame, content: &PlaneContent) {
+    let PlaneContent { levels, canvas: Canvas { plane, .. }, .. } = content;
+    let is_right = *plane == Plane::ThicknessFriction;
     let is_named = !levels.iter().all(|(contour, _)| plane.is_crossed_by(contour));
     let along = |(x, y): Point| if is_right { y } else { x };
     let mut ends: Vec<(f64, String)> = levels

@@ -15,12 +15,9 @@ use crate::report::words;
 /// Names in a frame of the map.
 pub(super) struct Names<'a> {
     pub content: &'a PlaneContent,
-    pub plane: Plane,
     pub frame: &'a Frame,
     /// Sizes of the fonts for modes and for landmarks.
     pub sizes: [f64; 2],
-    /// True if the first axis runs the other way, as `A` does.
-    pub is_mirrored: bool,
     /// Obstacles that the names keep off.
     pub labels: Labels,
 }
@@ -51,7 +48,7 @@ impl Names<'_> {
                 Landmark::Junction if !told_apart => continue,
                 _ => words::symbol(*landmark),
             };
-            let towards = towards(*landmark, self.plane, self.is_mirrored);
+            let towards = towards(*landmark, &self.content.canvas);
             let style = Type::new(self.sizes[1], INK);
             named(svg, &mut self.labels, (name, self.frame.at(*at)), towards, style);
         }
@@ -75,7 +72,7 @@ impl Names<'_> {
         let beside = text::width(Mode::Overturning.label(), size) / 2.0 + 8.0;
         let place = |point: &Point| {
             let (x, y) = self.frame.at(*point);
-            match self.plane {
+            match self.content.canvas.plane {
                 Plane::ThicknessFriction => (x - beside, y),
                 Plane::OpeningFriction => (x, y + 0.9 * size),
                 Plane::OpeningThickness => (x + beside, y),

@@ -1,6 +1,8 @@
 //! Places of the names of landmarks.
 
+use super::canvas::Canvas;
 use super::plane::Plane;
+use crate::atlas::Coordinate;
 use crate::picture::color::{INK, WHITE};
 use crate::picture::labels::Labels;
 use crate::picture::room::{Rectangle, about};
@@ -31,9 +33,10 @@ pub(super) fn away(landmark: Landmark, plane: Plane) -> Point {
     }
 }
 
-/// Direction from a landmark to its name in a plane, whose first axis may run the other way.
-pub(super) fn towards(landmark: Landmark, plane: Plane, is_mirrored: bool) -> Point {
-    let (x, y) = away(landmark, plane);
+/// Direction from a landmark to its name on a canvas, whose first axis runs the other way where it shows `A`.
+pub(super) fn towards(landmark: Landmark, canvas: &Canvas) -> Point {
+    let (x, y) = away(landmark, canvas.plane);
+    let is_mirrored = canvas.axes[0].coordinate == Coordinate::OpeningVariable;
     (if is_mirrored { -x } else { x }, y)
 }
 
