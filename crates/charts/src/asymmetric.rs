@@ -95,7 +95,7 @@ impl AsymmetricLines {
 
 /// Area that the legend takes of a frame, below on the right, where nothing stands.
 pub(super) fn legend_in(frame: &Frame) -> Rectangle {
-    let widest = LEGEND.iter().map(|(name, _)| text::width(name, Page::SMALL)).fold(0.0, f64::max);
+    let widest = text::widest(LEGEND.map(|(name, _)| name), Page::SMALL);
     let across = widest + GAP / 2.0 + SAMPLE + GAP;
     let up = LEADING * LEGEND.len() as f64 + GAP / 2.0;
     [(frame.right() - across, frame.bottom() - up), (frame.right(), frame.bottom())]

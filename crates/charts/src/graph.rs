@@ -161,7 +161,7 @@ impl Graph {
         frame.ticks(svg, FrameSide::Left, &y, TICK);
         let middle = Type::new(LABEL, INK).at(Anchor::Middle);
         let up = frame.corner.1 + frame.size.1 / 2.0;
-        let widest = y.iter().map(|tick| text::width(&tick.label, TICK)).fold(0.0, f64::max);
+        let widest = text::widest(y.iter().map(|tick| &tick.label), TICK);
         let off = (widest + NEXT).max(64.0);
         svg.text(self.y.label, (frame.corner.0 - off, up), middle.turned(-90.0));
         if has_ticks {

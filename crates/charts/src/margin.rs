@@ -84,7 +84,7 @@ pub(super) fn levels(svg: &mut Svg, frame: &Frame, content: &PlaneContent) {
         })
         .collect();
     ends.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let widest = ends.iter().map(|end| text::width(&end.1, SIZE)).fold(0.0, f64::max);
+    let widest = text::widest(ends.iter().map(|(_, label)| label), SIZE);
     let (gap, low, high) = match is_right {
         true => (APART * SIZE, frame.corner.1, frame.bottom()),
         false => (widest + 0.5 * SIZE, frame.corner.0, frame.right()),

@@ -20,7 +20,8 @@
 //! | `json`, `dxf` | the geometry for other programs |
 //! | `formats` | the formats in which arches are drawn |
 //! | `lean` | JSON with lists on one line |
-//! | `arcs` | a chain of points as few arcs |
+//! | `survey` | all arches of a question with ranges |
+//! | `tilt` | an arch under the largest acceleration that it bears |
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 mod beside;

@@ -30,6 +30,11 @@ pub fn width(text: &str, size: f64) -> f64 {
     text.chars().map(|c| f64::from(advance(c))).sum::<f64>() * size / 1000.0
 }
 
+/// The width of the widest of some texts.
+pub fn widest(texts: impl IntoIterator<Item: AsRef<str>>, size: f64) -> f64 {
+    texts.into_iter().map(|text| width(text.as_ref(), size)).fold(0.0, f64::max)
+}
+
 /// A text in lines no wider than `limit`, unless a word is.
 pub fn wrap(text: &str, size: f64, limit: f64) -> Vec<String> {
     let words = text.split(|c: char| c.is_whitespace() || c.is_control());

@@ -70,8 +70,7 @@ impl Figure {
         let limit = (own.width() - 2.0 * MARGIN).max(300.0);
         let title_of = |limit: f64| text::wrap(title, TITLE, limit);
         let lines = title_of(limit);
-        let widest = lines.iter().map(|line| text::width(line, TITLE)).fold(0.0, f64::max);
-        let natural = own.width().max(widest + 2.0 * MARGIN);
+        let natural = own.width().max(text::widest(&lines, TITLE) + 2.0 * MARGIN);
         let page = Page::new(print, natural.ceil(), self.rows(1, NARROW).width())?;
         let fitted = |columns: usize| {
             let missing = page.width - self.rows(columns, FRAME.0).width();

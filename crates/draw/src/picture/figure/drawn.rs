@@ -100,9 +100,8 @@ impl<'a> Drawn<'a> {
         let x = Ruler::new(panel.x.scale, places().map(|p| p.0), width, beside);
         let y = Ruler::new(panel.y.scale, places().map(|p| p.1), frame, |_, _| 1.7 * TICK);
 
-        let names = panel.lines.iter().map(|line| text::width(&line.label, NAME));
-        let names =
-            names.fold(0.0, f64::max) + if lines.is_empty() { 0.0 } else { LEADER + SAMPLE + 6.0 };
+        let names = text::widest(panel.lines.iter().map(|line| &line.label), NAME);
+        let names = names + if lines.is_empty() { 0.0 } else { LEADER + SAMPLE + 6.0 };
         let overhang = |tick: Option<&Tick>| tick.map_or(0.0, wide) / 2.0;
         let right = names.max(overhang(x.ticks.last()));
         let letter = letter.map_or(String::new(), |letter| format!("({letter}) "));
@@ -113,18 +112,15 @@ impl<'a> Drawn<'a> {
             0 => 0.0,
             n => n as f64 * size * text::LEADING + gap,
         };
-        let across = |lines: &[String], size: f64| {
-            lines.iter().map(|line| text::width(line, size)).fold(0.0, f64::max)
-        };
-        let y_ticks = y.ticks.iter().map(wide).fold(0.0, f64::max);
+        let y_ticks = text::widest(y.ticks.iter().map(|tick| &tick.label), TICK);
         // A single word may be longer than the frame.
-        let beyond = (across(&x_label, LABEL) - width).max(0.0) / 2.0;
-        let above = (across(&y_label, LABEL) - frame).max(0.0) / 2.0;
+        let beyond = (text::widest(&x_label, LABEL) - width).max(0.0) / 2.0;
+        let above = (text::widest(&y_label, LABEL) - frame).max(0.0) / 2.0;
         let room = Room {
             left: (OFF + y_ticks + stack(&y_label, LABEL, 6.0))
                 .max(overhang(x.ticks.first()))
                 .max(beyond),
-            right: right.max(beyond).max(across(&title, HEADING) - width),
+            right: right.max(beyond).max(text::widest(&title, HEADING) - width),
             top: stack(&title, HEADING, 6.0).max(TICK / 2.0).max(above),
             bottom: (OFF + TICK * text::LEADING + stack(&x_label, LABEL, 0.0)).max(above),
             wide: width,
@@ -211,8 +207,7 @@ impl<'a> Drawn<'a> {
         let style = Type::new(LABEL, INK).at(Anchor::Middle);
         let below = bottom + OFF + TICK * text::LEADING;
         svg.lines(&self.x_label, ((left + right) / 2.0, below), style);
-        let widest =
-            self.y.ticks.iter().map(|tick| text::width(&tick.label, TICK)).fold(0.0, f64::max);
+        let widest = text::widest(self.y.ticks.iter().map(|tick| &tick.label), TICK);
         for (k, line) in self.y_label.iter().rev().enumerate() {
             let x = left - OFF - widest - 6.0 - (k as f64 + 0.5) * LABEL * text::LEADING;
             svg.text(line, (x, (top + bottom) / 2.0), style.turned(-90.0));
