@@ -236,8 +236,11 @@ fn certified(problem: &Problem, start: &[f64], digits: usize) -> Result<Certific
 fn enclosed(problem: &Problem, certificate: &Certificate) -> Configuration<DoubleDoubleBall> {
     let bits = BITS as usize;
     let sides = certificate.root.centre.iter().zip(&certificate.root.radius);
-    let root: Vec<DoubleDoubleBall> =
-        sides.map(|(centre, radius)| Engine::around(centre, radius, bits)).collect();
+    let root: Vec<DoubleDoubleBall> = sides
+        .map(|(centre, radius)| {
+            <DoubleDoubleBall as Engine>::exact(centre, bits).widened_by(radius)
+        })
+        .collect();
     problem.system().place(problem.given(BITS), &root)
 }
 

@@ -324,8 +324,9 @@ fn hull(interval: &AstroInterval, bits: u32) -> Option<Ball> {
     let (low, high) = interval.ends()?;
     let centre = Float::with_val(bits, &low + &high) / 2u32;
     let radius = Float::with_val(64, &high - &low);
-    let radius = <Ball as Engine>::around(&(&centre).into(), &(&radius).into(), bits as usize);
-    radius.is_bounded().then_some(radius)
+    let all =
+        <Ball as Engine>::exact(&(&centre).into(), bits as usize).widened_by(&(&radius).into());
+    all.is_bounded().then_some(all)
 }
 
 #[cfg(test)]

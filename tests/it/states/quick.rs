@@ -134,11 +134,7 @@ fn over_astro_float(query: &DrawnQuery) -> Option<Mode> {
     for residual in system.residuals(&at) {
         assert!(residual.overlaps(&zero), "{query}: {residual:?}");
         // Not because nothing is known.
-        let small = AstroInterval::around(
-            &Dyadic::new(false, vec![], 0),
-            &Dyadic::new(false, vec![1], -30),
-            64,
-        );
+        let small = AstroInterval::zero(64).widened_by(&Dyadic::new(false, vec![1], -30));
         assert!(residual.lies_inside(&small), "{query}: {residual:?}");
     }
     let failure = problem.first_failure(&at, BITS);
