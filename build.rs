@@ -13,7 +13,9 @@ fn main() {
     }
     let commit = packaged().or_else(checked_out).unwrap_or("unknown".to_owned());
     println!("cargo:rustc-env=COUPLET_COMMIT={commit}");
-    if env::var("CARGO_ENCODED_RUSTFLAGS").is_ok_and(|flags| flags.contains(NO_TABLES)) {
+    let is_linux = env::var("CARGO_CFG_TARGET_OS").is_ok_and(|system| system == "linux");
+    let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
+    if is_linux && flags.contains(NO_TABLES) && !flags.contains("link") {
         leave_out_tables();
     }
 }
@@ -28,7 +30,8 @@ fn leave_out_tables() {
     let script = format!("{folder}/no_tables.ld");
     let discarded = "SECTIONS { /DISCARD/ : { *(.eh_frame) } } INSERT AFTER .text;";
     if fs::write(&script, discarded).is_ok() {
-        println!("cargo:rustc-link-arg-bins=-Wl,--no-eh-frame-hdr,-T,{script}");
+        println!("cargo:rustc-link-arg-bins=-Wl,--no-eh-frame-hdr");
+        println!("cargo:rustc-link-arg-bins=-T{script}");
     }
 }
 

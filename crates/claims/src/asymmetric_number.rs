@@ -153,7 +153,7 @@ mod tests {
     use super::*;
     use crate::arch::SelfWeight;
     use crate::certify::state::Certify;
-    use crate::certify::{asymmetric_thicknesses, most_asymmetric};
+    use crate::certify::{asymmetric, asymmetric_thicknesses, most_asymmetric};
 
     /// The bounds of the half opening are used.
     #[test]
@@ -171,8 +171,10 @@ mod tests {
     fn found(weight: SelfWeight, alpha: &str, mu: &str) -> Option<usize> {
         let arch = parsed(weight, alpha, mu).unwrap();
         standing(arch.state(64).unwrap()).ok()?;
-        let found = asymmetric_thicknesses(&arch, 9).unwrap().len();
-        let most = most_asymmetric(&arch).unwrap();
+        let (found, most) = (asymmetric(&arch, 9).unwrap(), most_asymmetric(&arch).unwrap());
+        let found = found.found.into_iter().map(Result::unwrap).count();
+        let told = asymmetric_thicknesses(&arch, 9).unwrap().len();
+        assert_eq!(told, found, "the table holds what is found: {weight:?} {alpha} {mu}");
         assert!(
             found == most || (found, most) == (0, 2),
             "{weight:?} {alpha} {mu}: {found}, {most}"

@@ -55,12 +55,12 @@ const NUMBER: [&str; 4] = [
     "(couplet prove asymmetric-number).",
 ];
 /// Conclusion where as many asymmetric solutions are found as the arch can have.
-const ARE_ALL: [&str; 1] = ["By these claims this arch has no other solution: that is proved."];
-/// Conclusion where fewer are found.
+const ARE_ALL: [&str; 1] = ["It is proved that this arch has no other solution."];
+/// Conclusion elsewhere.
 const MAY_BE_OTHERS: [&str; 3] = [
     "They are sought along those with a sliding shoulder, from the symmetric one to larger vertical",
-    "forces in the crown. What the search finds is proved; this arch may have more by these claims, and",
-    "that it has none is not proved.",
+    "forces in the crown. What the search finds is proved; that this arch has no other solution is",
+    "not.",
 ];
 /// Conclusion where nothing slides.
 const NOTHING_SLIDES: [&str; 1] = ["With unlimited friction nothing slides, and none is sought."];
@@ -150,7 +150,7 @@ impl ComplementarityArch {
         record.say("");
         let are_all = symmetric.is_ok() && asymmetric.are_all;
         if asymmetric.found.is_empty() {
-            let words = if are_all {
+            let words = if asymmetric.are_all {
                 "there is no asymmetric solution"
             } else {
                 "no asymmetric solution is found"

@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// The cell of each row of a column. A column is never there as a whole: some rows are written at a time.
 type CellOf<'a, T> = Box<dyn Fn(usize) -> Option<T> + 'a>;
 
-/// A column that is written.
+/// A column of a file.
 pub enum ParquetColumn<'a> {
     /// A text of a few: a name.
     Name(CellOf<'a, ByteArray>),

@@ -30,9 +30,9 @@ use clap::Args;
 /// A solution is an admissible state with a motion of the joints that are at their limits, without dilatancy. Among
 /// symmetric ones there is one thickness, the least; some horseshoes have asymmetric ones at a larger thickness.
 /// What is printed is proved, and that asymmetric ones are one at the most with Milankovitch's weight and two with
-/// Heyman's; that none is missed is not. With --stones there are joints between so many equal
-/// stones only, 2 to 60: then all solutions are found, at any thickness up to 2, and that there are no others is
-/// proved; thicknesses at which it is not are listed. With --thickness too, and up to 100 stones, the least value of
+/// Heyman's; where as many are found as there can be, that there are no others is proved too. With --stones there are
+/// joints between so many equal stones only, 2 to 60: then all solutions are found, at any thickness up to 2, and that
+/// there are no others is proved; thicknesses at which it is not are listed. With --thickness too, and up to 100 stones, the least value of
 /// the programme (20) at that thickness is enclosed instead; at the `least` thickness of the stones it is zero.
 #[derive(Args)]
 #[command(mut_arg("joints", |arg| arg.hide(true)))]

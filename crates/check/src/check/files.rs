@@ -18,7 +18,7 @@ pub const NO_MPFR: &str = "--engine mpfr, in a build that has it,";
 /// Words of an acceptance: its summary or its statement.
 pub type Words = fn(&AcceptedFile) -> String;
 
-/// Why a file, or not each of several, was accepted, in one line.
+/// Reason why a file, or one of several, was not accepted, in one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CheckFailure {
     /// At least one was refused.

@@ -5,7 +5,7 @@ use crate::arch::asymmetric::Asymmetric;
 use crate::arch::joint::Grip;
 use crate::arch::whole::Forces;
 use crate::arch::{Ring, SelfWeight, cycloid};
-use crate::certify::Undecided;
+use crate::certify::{Undecided, asymmetric_half_openings};
 use crate::check::krawczyk;
 use crate::number::{Angle, DoubleBall, Enclosure, Field, Gradient, Real};
 use crate::prover::decide::is_positive;
@@ -28,11 +28,12 @@ impl Directions {
     /// Signs of each weight.
     pub(in super::super) const ALL: [Self; 2] = {
         use SelfWeight::{Heyman, Milankovitch};
-        [
-            Self { weight: Milankovitch, opening_grows: false, half_openings: [125, 141] },
-            Self { weight: Heyman, opening_grows: true, half_openings: [124, 144] },
-        ]
+        [Self::new(Milankovitch, false), Self::new(Heyman, true)]
     };
+
+    const fn new(weight: SelfWeight, opening_grows: bool) -> Self {
+        Self { weight, opening_grows, half_openings: asymmetric_half_openings(weight) }
+    }
 }
 
 /// A box is halved so often at the most.

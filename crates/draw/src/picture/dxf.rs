@@ -209,7 +209,7 @@ impl DxfFile {
         self.point(11, to);
     }
 
-    /// Draws arcs one after the other, of an outline as far as where they begin.
+    /// Draws arcs one after the other; an outline ends where it begins.
     pub fn arcs(&mut self, layer: &str, points: &[Bulge], is_outline: bool) {
         self.begin("LWPOLYLINE", layer, "AcDbPolyline");
         let closed = if is_outline { "1" } else { "0" };

@@ -138,12 +138,11 @@ impl fmt::Display for Short {
 
 /// A number to so many decimals, as short as it goes.
 pub(super) fn short(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let short = match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.'),
-        false => &text,
-    };
-    if short == "-0" { "0" } else { short }.to_owned()
+    let mut text = format!("{value:.decimals$}");
+    if text.contains('.') {
+        text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
+    }
+    if text == "-0" { "0".to_owned() } else { text }
 }
 
 #[cfg(test)]

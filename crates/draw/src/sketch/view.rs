@@ -170,8 +170,8 @@ impl ArchView<'_> {
     }
 }
 
-/// Joints of a half on the sides where they are, 1 for the right one and -1 for the left: positive on the right. The
-/// crown is on the first alone.
+/// Joints of a half on some sides, 1 for the right one and -1 for the left, so that those on the right are positive.
+/// The crown is on the first side alone.
 pub fn on_sides(marks: &[(Contact, f64)], half_opening: f64, sides: &[f64]) -> Vec<(Contact, f64)> {
     let both = |(contact, joint): &(Contact, f64)| {
         let count = if *joint < CROWN * half_opening { 1 } else { sides.len() };

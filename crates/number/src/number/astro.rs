@@ -8,6 +8,7 @@
 //! `+ - * / sqrt` and pi are used, and sine and cosine for few bits; its logarithm is known not to return for some
 //! exact arguments.
 
+/// Directions of astro-float, of which ends take [`RoundingMode::Down`] and [`RoundingMode::Up`].
 pub use astro_float_num::RoundingMode;
 use astro_float_num::{BigFloat, Consts, INF_NEG, INF_POS, Sign, WORD_BIT_SIZE, Word};
 use std::cell::RefCell;

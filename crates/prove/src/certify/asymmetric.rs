@@ -23,9 +23,9 @@ use crate::arch::whole::{Side, WholeMotion};
 use crate::arch::{Configuration, Ring, SelfWeight};
 use crate::check::whole;
 use crate::number::{
-    Angle, Ball, DoubleBall, DoubleDoubleBall, Enclosure, Engine, ExactNumber, Ternary, bits_of,
+    Angle, Ball, DoubleBall, DoubleDoubleBall, Enclosure, Engine, ExactNumber, Field, Real,
+    Ternary, bits_of,
 };
-use crate::problem::asymmetric_region::may_move_asymmetrically;
 use crate::problem::{Arch, Mode, Problem};
 use crate::prover::decide::{ensure, in_few_bits};
 use crate::prover::posed::Posed;
@@ -39,7 +39,7 @@ use rug::Float;
 pub struct AsymmetricSolutions {
     /// Solutions that are found, each proved, or the reason why it is not.
     pub found: Vec<Result<AsymmetricDigits, Undecided>>,
-    /// Proof that there are no others.
+    /// True if it is proved that there are no other asymmetric ones.
     pub are_all: bool,
 }
 
@@ -104,26 +104,43 @@ pub fn asymmetric(arch: &Arch, digits: usize) -> Result<AsymmetricSolutions, Ref
     Refused::digits(digits)?;
     let found = found(arch).into_iter().map(|candidate| certified(arch, &candidate, digits));
     let found: Vec<Result<AsymmetricDigits, Undecided>> = found.collect();
-    let are_all = found.iter().all(Result::is_ok) && most_asymmetric(arch) == Some(found.len());
+    // Of two one opens the shoulder, by the claim: what is found twice is one.
+    let differ = |two: &[Result<AsymmetricDigits, Undecided>]| match two {
+        [Ok(one), Ok(other)] => one.mode != other.mode,
+        _ => false,
+    };
+    let are_proved = found.iter().all(Result::is_ok) && found.windows(2).all(differ);
+    let are_all = are_proved && most_asymmetric(arch) == Some(found.len());
     Ok(AsymmetricSolutions { found, are_all })
 }
 
-/// The most asymmetric solutions that an arch can have, by the claim `asymmetric-number`: none outside the
-/// [table](crate::problem::asymmetric_region); inside it one where the state at the least thickness is `[s,r,r]` and
-/// has room to move, and elsewhere none with Milankovitch's weight, two with Heyman's. `None` with unlimited friction,
-/// of which the claim says nothing.
+/// Degrees between which the half openings of asymmetric solutions are, by the claim `asymmetric-number`.
+pub const fn asymmetric_half_openings(weight: SelfWeight) -> [i32; 2] {
+    match weight {
+        SelfWeight::Milankovitch => [125, 141],
+        SelfWeight::Heyman => [124, 144],
+    }
+}
+
+/// The most asymmetric solutions that an arch can have, by the claim `asymmetric-number`: one where the state at the
+/// least thickness is `[s,r,r]` and has room to move, and elsewhere none with Milankovitch's weight, two with Heyman's.
+/// Where no symmetric state is admissible nothing is (`unique-mean`). `None` with unlimited friction, of which the
+/// claim says nothing.
 pub fn most_asymmetric(arch: &Arch) -> Option<usize> {
     if !arch.is_limited() {
         return None;
     }
-    if !may_move_asymmetrically(arch) {
+    let half_opening: Ball = arch.half_opening().enclosure(SEARCH_BITS);
+    let degree = half_opening.pi() / half_opening.int(180);
+    let [low, high] = asymmetric_half_openings(arch.weight())
+        .map(|n| degree.clone() * half_opening.int(n) - &half_opening);
+    if low.is_positive().is_proved() || (-high).is_positive().is_proved() {
         return Some(0);
     }
     let moves = match arch.state_alone(SEARCH_BITS) {
-        // Where no symmetric state is admissible nothing is.
         Ok(Outcome::Falls(_)) => return Some(0),
         Ok(Outcome::Stands(state)) if state.mode != Mode::SlidingRotational => Ternary::False,
-        Ok(Outcome::Stands(state)) => has_room_to_move(arch, &state),
+        Ok(Outcome::Stands(state)) => has_room_to_move(&half_opening, &state),
         Err(_) => Ternary::Undecided,
     };
     Some(match (arch.weight(), moves) {
@@ -135,12 +152,12 @@ pub fn most_asymmetric(arch: &Arch) -> Option<usize> {
 }
 
 /// `(1 + eta/2 - (1 - eta/2) cos(beta_r)) |cot(alpha)| > (1 - eta/2) sin(beta_r)` beyond 90°, times `2 sin(alpha)`.
-fn has_room_to_move(arch: &Arch, state: &State) -> Ternary {
-    let half_opening = Angle::new(arch.half_opening().enclosure(SEARCH_BITS));
-    let haunch = Angle::new(state.rotation_joint.clone());
-    let ring = Ring::new(arch.weight(), &state.thickness);
-    let inner = ring.intrados();
-    let above = ring.extrados() - inner.clone() * &haunch.cos;
+fn has_room_to_move(half_opening: &Ball, state: &State) -> Ternary {
+    let [half_opening, haunch] =
+        [half_opening, &state.rotation_joint].map(|x| Angle::new(x.clone()));
+    let [two, eta] = [state.thickness.int(2), state.thickness.clone()];
+    let inner = two.clone() - &eta;
+    let above = two + eta - inner.clone() * &haunch.cos;
     (-(above * &half_opening.cos) - inner * &haunch.sin * &half_opening.sin).is_positive()
 }
 
@@ -267,7 +284,6 @@ impl CertifiedAsymmetric {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Field;
 
     fn arch(weight: &str, alpha: &str, mu: &str) -> Arch {
         Arch::parse(weight, alpha, mu).unwrap()
@@ -327,8 +343,10 @@ mod tests {
             ("milankovitch", "2.3", "1.05", Some(1), true),
             ("milankovitch", "2.3", "1.2", Some(0), true),
             ("milankovitch", "pi/2", "0.35", Some(0), true),
-            // In the table, but with a pure state.
+            // With a pure state.
             ("milankovitch", "2.225", "0.938", Some(0), true),
+            // Outside the table, which the claim does not know.
+            ("heyman", "2.3", "1.2", Some(2), false),
             ("heyman", "2.3", "1.09", Some(2), true),
             ("heyman", "2.25", "1.01", Some(1), true),
             ("heyman", "2.3", "1.05", Some(1), true),

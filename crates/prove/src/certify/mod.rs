@@ -35,7 +35,7 @@ mod verdict;
 
 pub use asymmetric::{
     AsymmetricDigits, AsymmetricJoint, AsymmetricSolutions, CertifiedAsymmetric, asymmetric,
-    most_asymmetric,
+    asymmetric_half_openings, most_asymmetric,
 };
 pub use asymmetric_certificate::{asymmetric_kinds, certify_asymmetric};
 pub use asymmetric_thickness::asymmetric_thicknesses;

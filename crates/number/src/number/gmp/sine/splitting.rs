@@ -69,7 +69,7 @@ struct PartialSum {
 impl SineSeries {
     fn new(u: &Integer, p: u32, small: u32, places: u32) -> Self {
         let square = square(u);
-        // The terms after the first are `r^(2k)/(2k+1)!`.
+        // The terms after the first are `r^(2k)/(2k+1)!`, times `r`, which is below `2^-small`.
         let terms = rounded(count(small, places.saturating_sub(small), of_sine));
         let powers = halving_powers(&square, terms);
         Self { square, p, small, places, terms, powers }
