@@ -1,5 +1,5 @@
-//! Tells the program which commit it is built from, where that is known, for `couplet --version`; and leaves out what a program
-//! does not need that ends at a panic.
+//! Tells the program which commit it is built from, where that is known, for `couplet --version`; and leaves out what a
+//! program does not need that ends at a panic.
 
 use std::process::Command;
 use std::{env, fs};
@@ -23,8 +23,8 @@ fn main() {
 /// The option of a build without tables of unwinding (Makefile).
 const NO_TABLES: &str = "force-unwind-tables=no";
 
-/// Leaves out the tables that the compiler makes all the same, for whatever might have to be dropped: a fifteenth of the
-/// program. Linkers that are chosen by name may not know how.
+/// Leaves out the tables that the compiler makes all the same, for whatever might have to be dropped: a fifteenth of
+/// the program. Linkers that are chosen by name may not know how.
 fn leave_out_tables() {
     let (Ok(folder), Err(_)) = (env::var("OUT_DIR"), env::var("RUSTC_LINKER")) else { return };
     let script = format!("{folder}/no_tables.ld");

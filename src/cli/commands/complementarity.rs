@@ -32,8 +32,9 @@ use clap::Args;
 /// What is printed is proved, and that asymmetric ones are one at the most with Milankovitch's weight and two with
 /// Heyman's; where as many are found as there can be, that there are no others is proved too. With --stones there are
 /// joints between so many equal stones only, 2 to 60: then all solutions are found, at any thickness up to 2, and that
-/// there are no others is proved; thicknesses at which it is not are listed. With --thickness too, and up to 100 stones, the least value of
-/// the programme (20) at that thickness is enclosed instead; at the `least` thickness of the stones it is zero.
+/// there are no others is proved; thicknesses at which it is not are listed. With --thickness too, and up to 100
+/// stones, the least value of the programme (20) at that thickness is enclosed instead; at the `least` thickness of the
+/// stones it is zero.
 #[derive(Args)]
 #[command(mut_arg("joints", |arg| arg.hide(true)))]
 #[command(mut_arg("tilt", |arg| arg.hide(true)))]
