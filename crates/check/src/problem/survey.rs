@@ -253,24 +253,30 @@ impl Survey {
     /// An arch at least as unsafe, or as safe, as all of a side's friction and thickness on the step from `first` to
     /// `last` of its course; if the two are one, the arch that is there.
     pub fn bounding(&self, side: Side, [first, last]: [&SpanAndRise; 2]) -> Option<Bounding> {
-        let [span, rise] = side.of([last, first]);
-        let [tangent, _] = circle(span, rise);
-        let radius = Length::new(self.radius(side, [first, last]));
+        let ends = [first, last].map(|[span, rise]| circle(span, rise));
+        let radii = [&ends[0][1], &ends[1][1]];
+        let radius = Length::new(Self::radius(side, [first, last], radii));
+        let [[at_first, _], [at_last, _]] = ends;
+        let tangent = side.of([at_last, at_first]);
         self.spanned(ExactNumber::twice_arctangent(tangent), radius, side)
     }
 
-    /// Largest radius on a step of the unsafe course, least of one on the safe course, at the measured circle.
-    fn radius(&self, side: Side, [first, last]: [&SpanAndRise; 2]) -> BigRational {
-        let [[_, one], [_, other]] = [first, last].map(|[span, rise]| circle(span, rise));
-        let [least, largest] = if exceeds(&one, &other) { [other, one] } else { [one, other] };
+    /// Largest radius on a step of the unsafe course, least of one on the safe course, at the measured circle, by those
+    /// at its ends.
+    fn radius(
+        side: Side,
+        [first, last]: [&SpanAndRise; 2],
+        [one, other]: [&BigRational; 2],
+    ) -> BigRational {
+        let [least, largest] = if exceeds(one, other) { [other, one] } else { [one, other] };
         match side {
-            Side::Unsafe => largest,
+            Side::Unsafe => largest.clone(),
             Side::Safe => {
                 let half = &first[0] / BigInt::from(2);
                 let has_least = is_same(&first[0], &last[0])
                     && exceeds(&half, &first[1])
                     && exceeds(&last[1], &half);
-                if has_least { half } else { least }
+                if has_least { half } else { least.clone() }
             }
         }
     }

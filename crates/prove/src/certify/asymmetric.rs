@@ -32,6 +32,7 @@ use crate::prover::posed::Posed;
 use crate::prover::{Figure, Refused, Undecided, raise};
 use crate::solve::asymmetric::{AsymmetricCandidate, asymmetric as candidates};
 use rug::Float;
+use std::collections::BTreeSet;
 
 /// Asymmetric solutions of an arch.
 #[derive(Clone, Debug)]
@@ -104,13 +105,11 @@ pub fn asymmetric(arch: &Arch, digits: usize) -> Result<AsymmetricSolutions, Ref
     Refused::digits(digits)?;
     let found = found(arch).into_iter().map(|candidate| certified(arch, &candidate, digits));
     let found: Vec<Result<AsymmetricDigits, Undecided>> = found.collect();
-    // Of two one opens the shoulder, by the claim: what is found twice is one.
-    let differ = |two: &[Result<AsymmetricDigits, Undecided>]| match two {
-        [Ok(one), Ok(other)] => one.mode != other.mode,
-        _ => false,
-    };
-    let are_proved = found.iter().all(Result::is_ok) && found.windows(2).all(differ);
-    let are_all = are_proved && most_asymmetric(arch) == Some(found.len());
+    // Of two one opens the shoulder, by the claim: what is found twice counts once.
+    let opens = |mode: AsymmetricMode| mode == AsymmetricMode::ShoulderOpening;
+    let proved = found.iter().filter_map(|of| Some(opens(of.as_ref().ok()?.mode)));
+    let count = proved.collect::<BTreeSet<bool>>().len();
+    let are_all = count == found.len() && most_asymmetric(arch) == Some(count);
     Ok(AsymmetricSolutions { found, are_all })
 }
 

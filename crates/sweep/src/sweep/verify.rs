@@ -104,7 +104,8 @@ fn look(
             let are_same = |cells: &ParquetColumn| {
                 (0..asked.rows).all(|row| is_same((column, row), (cells, row)))
             };
-            if asked.rows as u64 != rows.end - rows.start || !there.is_some_and(are_same) {
+            let is_whole = |n: usize| n as u64 == rows.end - rows.start;
+            if ![asked.rows, table.rows].into_iter().all(is_whole) || !there.is_some_and(are_same) {
                 return Err(format!("its column {name} is not what the plan asks"));
             }
         }
