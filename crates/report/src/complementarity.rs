@@ -57,10 +57,9 @@ const NUMBER: [&str; 4] = [
 /// Conclusion where as many asymmetric solutions are found as the arch can have.
 const ARE_ALL: [&str; 1] = ["It is proved that this arch has no other solution."];
 /// Conclusion elsewhere.
-const MAY_BE_OTHERS: [&str; 3] = [
+const MAY_BE_OTHERS: [&str; 2] = [
     "They are sought along those with a sliding shoulder, from the symmetric one to larger vertical",
-    "forces in the crown. What the search finds is proved; that this arch has no other solution is",
-    "not.",
+    "forces in the crown. What is found is proved; that there is no other solution is not.",
 ];
 /// Conclusion where nothing slides.
 const NOTHING_SLIDES: [&str; 1] = ["With unlimited friction nothing slides, and none is sought."];
