@@ -1,13 +1,14 @@
 #!/bin/sh
 # After `make`: wrong copies of files do not compile, each for the reason it should.
 #
-# Usage: spoil.sh [MODULE]..., by default a landmark, a state, an asymmetric solution and a survey, and the hand files
-# whose theorems the claims use.
+# Usage: spoil.sh [MODULE]..., by default a landmark that is soon checked, what is printed of another, a state, an asymmetric
+# solution and a survey, and the hand files whose theorems the claims use.
 set -eu
 # Two at a time: each takes some seconds a copy.
 [ $# -gt 0 ] || {
-  printf '%s\n' LandmarkTripleMilankovitch StateSlidingRotationalHeyman AsymmetricSlidesInsideMilankovitch \
-    SurveyAllStandHeyman Surveys Rises Landmarks Cones Room Modes Attained Order Map Cells TwoWeights Programme Asymmetric | xargs -n 1 -P 2 "$0"
+  printf '%s\n' LandmarkTripleMilankovitch LandmarkRotationEndMilankovitch StateSlidingRotationalHeyman \
+    AsymmetricSlidesInsideMilankovitch SurveyAllStandHeyman Surveys Rises Landmarks Cones Room Modes Attained Order Map Cells TwoWeights \
+    Programme Asymmetric | xargs -n 1 -P 2 "$0"
   exit
 }
 cd "$(dirname "$0")"
@@ -95,12 +96,16 @@ spoil_survey() {
   spoiled "a part that is not right" claim 's/(Stands .*?Dyadic \(?)(\d+)/$1 . "9" . $2/e'
 }
 
-# Which landmark it is, and the values that the paper prints.
+# Which landmark it is.
 spoil_landmark() {
   spoiled "another landmark" claim \
-    's/\(Landmark Triple/(Landmark Shift/'
+    's/\(Landmark (\w+)/"(Landmark " . ($1 eq "RotationEnd" ? "WidestJoint" : "RotationEnd")/e'
   spoiled "the other weight" claim \
     's/(\(Landmark \w+ )(Heyman|Milankovitch)/$1 . ($2 eq "Heyman" ? "Milankovitch" : "Heyman")/e'
+}
+
+# The values that the paper prints, right and wrong.
+spoil_printed() {
   spoiled "a printed value that is off" "$(first right)" \
     's/(_right x .*?- [\d.]*)(\d)(\) <= .*?\) \d*)\d( \d+ eq_refl)/$1 . ($2 + 5) % 10 . $3 . ($2 + 5) % 10 . $4/se'
   spoiled "a wrong digit called right" "$(first wrong)" \
@@ -171,6 +176,7 @@ for module; do
   if [ -f "$source" ]; then
     untouched
     case $module in
+      LandmarkTriple*) spoil_printed ;;
       Landmark*) spoil_certificate; spoil_landmark ;;
       Survey*) spoil_survey ;;
       *) spoil_certificate; spoil_arch ;;
