@@ -7,36 +7,52 @@ use crate::problem::{Arch, Mode};
 use crate::reading::texts;
 use std::sync::OnceLock;
 
-/// A picture of some curves.
-fn picture(weights: &[SelfWeight], view: View, tolerance: f64) -> String {
-    printed(weights, view, tolerance)(&Print::default())
+/// Largest distance of a curve from the truth.
+const TOLERANCE: f64 = 1e-3;
+
+/// All curves of some weights.
+fn traced(weights: &[SelfWeight]) -> Vec<Trace> {
+    let curves = weights.iter().flat_map(|w| Curve::ALL.map(|curve| (*w, curve)));
+    curves.map(|(weight, curve)| Trace::new(curve, weight, TOLERANCE).unwrap()).collect()
 }
 
-/// Some curves, to be printed.
-fn printed(weights: &[SelfWeight], view: View, tolerance: f64) -> impl Fn(&Print) -> String {
-    let curves = weights.iter().flat_map(|w| Curve::ALL.map(|curve| (*w, curve)));
-    let trace = |(weight, curve)| Trace::new(curve, weight, tolerance).unwrap();
+/// These, proved once.
+fn traces(weights: &[SelfWeight]) -> Vec<Trace> {
+    static TRACES: OnceLock<Vec<Trace>> = OnceLock::new();
+    let all = TRACES.get_or_init(|| traced(&SelfWeight::ALL)).iter();
+    all.filter(|trace| weights.contains(&trace.weight)).cloned().collect()
+}
+
+/// Levels of a plane for one weight.
+fn levels(traces: &[Trace], weight: SelfWeight, plane: Plane) -> Vec<Level> {
+    let level = |contour| Level::among(traces, weight, contour, TOLERANCE).unwrap();
+    plane.contours().iter().map(level).collect()
+}
+
+/// A picture of some curves.
+fn picture(weights: &[SelfWeight], view: View) -> String {
+    printed(traces(weights), weights[0], view)(&Print::default())
+}
+
+/// Some curves, to be printed; levels of a weight.
+fn printed(traces: Vec<Trace>, weight: SelfWeight, view: View) -> impl Fn(&Print) -> String {
     let drawing = Drawing {
         view,
         axes: Axes::default(),
         marks: Vec::new(),
         command: "couplet map -o map.svg".into(),
     };
-    let traces: Vec<Trace> = curves.map(trace).collect();
-    let contours = match view {
-        View::Map(plane) => plane.contours(),
+    let levels = match view {
+        View::Map(plane) => levels(&traces, weight, plane),
         _ => Vec::new(),
     };
-    let level = |contour: &Contour| Level::among(&traces, weights[0], contour, tolerance).unwrap();
-    let levels: Vec<Level> = contours.iter().map(level).collect();
     move |print| drawing.svg((&traces, &levels, &[]), print).unwrap()
 }
 
 /// Picture of a plane with marks.
 fn marked(plane: Plane) -> String {
     let weight = SelfWeight::Milankovitch;
-    let traces: Vec<Trace> =
-        Curve::ALL.map(|curve| Trace::new(curve, weight, 1e-3).unwrap()).into();
+    let traces = traces(&[weight]);
     let mark = |(alpha, mu, eta): (&str, &str, Option<&str>)| {
         let eta: Option<ExactNumber> = eta.map(|eta| eta.parse().unwrap());
         Mark::new(&Arch::parse(weight.name(), alpha, mu).unwrap(), eta.as_ref()).unwrap()
@@ -67,8 +83,7 @@ fn marks_are_numbered_and_explained() {
 /// The map with levels on other axes, by name.
 fn on_other_axes() -> Vec<(String, String)> {
     let weight = SelfWeight::Heyman;
-    let traces: Vec<Trace> =
-        Curve::ALL.map(|curve| Trace::new(curve, weight, 1e-4).unwrap()).into();
+    let traces = traces(&[weight]);
     let shown = |unit, range| Shown { unit, range };
     let (none, derived) = (Shown::default(), Unit::Derived);
     let cases = [
@@ -86,11 +101,7 @@ fn on_other_axes() -> Vec<(String, String)> {
     ];
     let picture = |(name, plane, half_opening, friction, thickness): (&str, Plane, _, _, _)| {
         let axes = Axes { half_opening, friction, thickness };
-        let levels: Vec<Level> = plane
-            .contours()
-            .iter()
-            .map(|contour| Level::among(&traces, weight, contour, 1e-4).unwrap())
-            .collect();
+        let levels = levels(&traces, weight, plane);
         let view = View::Map(plane);
         let drawing = Drawing { view, axes, marks: Vec::new(), command: "couplet map".into() };
         (
@@ -105,7 +116,7 @@ fn on_other_axes() -> Vec<(String, String)> {
 fn pictures() -> &'static [(String, String)] {
     static PICTURES: OnceLock<Vec<(String, String)>> = OnceLock::new();
     PICTURES.get_or_init(|| {
-        let both = |name: &str, view| (name.to_owned(), picture(&SelfWeight::ALL, view, 1e-3));
+        let both = |name: &str, view| (name.to_owned(), picture(&SelfWeight::ALL, view));
         let mut pictures = vec![
             both("figure-2", View::Branches(Branches::Rotation)),
             both("figure-3", View::Branches(Branches::Overturning)),
@@ -115,7 +126,7 @@ fn pictures() -> &'static [(String, String)] {
         for weight in SelfWeight::ALL {
             for plane in Plane::ALL {
                 let name = format!("{}-{}", weight.name(), plane.name());
-                pictures.push((name, picture(&[weight], View::Map(plane), 1e-3)));
+                pictures.push((name, picture(&[weight], View::Map(plane))));
             }
         }
         for plane in Plane::ALL {
@@ -151,8 +162,9 @@ fn what_is_close_is_shown_larger_on_all_axes() {
 
 #[test]
 fn a_picture_is_always_drawn_alike() {
-    let again = || picture(&[SelfWeight::Heyman], View::Map(Plane::OpeningFriction), 1e-3);
-    assert_eq!(again(), again());
+    let (weight, view) = (SelfWeight::Heyman, View::Map(Plane::OpeningFriction));
+    let again = printed(traced(&[weight]), weight, view)(&Print::default());
+    assert_eq!(again, picture(&[weight], view));
 }
 
 /// Each mode is named, and has its domain where it is an area; each line has its path.
@@ -254,7 +266,7 @@ fn nothing_is_no_picture() {
 #[test]
 fn a_line_alone_is_drawn() {
     let curve = Curve::named("rrr/srr").unwrap();
-    let traces = [Trace::new(curve, SelfWeight::Heyman, 1e-3).unwrap()];
+    let traces = [Trace::new(curve, SelfWeight::Heyman, TOLERANCE).unwrap()];
     for view in [View::Map(Plane::ThicknessFriction), View::Lines] {
         let drawing =
             Drawing { view, axes: Axes::default(), marks: Vec::new(), command: "couplet".into() };
@@ -296,7 +308,7 @@ mod pixels {
         ];
         let mut found = Vec::new();
         for (weights, view) in views {
-            let printed = printed(weights, view, 1e-3);
+            let printed = printed(traces(weights), weights[0], view);
             for (wide, points) in [
                 ("84mm", "238.11"),
                 ("90mm", "255.118"),
