@@ -9,7 +9,7 @@
 //! | `surveyed` | the same of all arches of ranges |
 //! | `arrays` | many arches, in arrays of doubles |
 //! | `answer` | what comes back, and what reads it |
-//! | `texts` | small helpers for texts |
+//! | `texts`, `failure` | small helpers for texts; why a call has no answer |
 //! | `border` | pointers become slices and texts, a panic becomes a code |
 //! | `threads` | threads of a call |
 #![allow(

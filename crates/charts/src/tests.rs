@@ -16,7 +16,7 @@ fn traced(weights: &[SelfWeight]) -> Vec<Trace> {
     curves.map(|(weight, curve)| Trace::new(curve, weight, TOLERANCE).unwrap()).collect()
 }
 
-/// These, proved once.
+/// All curves of some weights, proved once.
 fn traces(weights: &[SelfWeight]) -> Vec<Trace> {
     static TRACES: OnceLock<Vec<Trace>> = OnceLock::new();
     let all = TRACES.get_or_init(|| traced(&SelfWeight::ALL)).iter();

@@ -1,7 +1,8 @@
 //! The English of the sources: the first sentence of a doc names the thing and stands on its own, as it is read
 //! alone in lists and beside names; comments keep to a width.
 
-use super::sources;
+use super::{floors, sources};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -17,10 +18,7 @@ const WIDTH: usize = 120;
 
 /// The sources of all crates of the house.
 fn crates() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let inner = fs::read_dir(root.join("crates")).into_iter().flatten();
-    let inner = inner.map(|entry| entry.unwrap().path().join("src"));
-    inner.chain([root.join("src")]).flat_map(|folder| sources(&folder)).collect()
+    floors().iter().flat_map(|folder| sources(folder)).collect()
 }
 
 /// The mark of a line of doc, and its text.
@@ -70,6 +68,24 @@ fn long(text: &str) -> Vec<(usize, &str)> {
     text.lines().enumerate().map(|(place, line)| (place + 1, line)).filter(is_long).collect()
 }
 
+/// Names that a front's table of files has and its folder has not, or the other way round.
+fn strangers(front: &str, files: &BTreeSet<String>) -> Vec<String> {
+    let rows = front.lines().filter_map(|line| line.strip_prefix("//! | ")).skip(1);
+    let names = |cell: &str| -> BTreeSet<String> {
+        let names = cell.split('`').skip(1).step_by(2);
+        names.map(|name| name.trim_end_matches(".rs").to_owned()).collect()
+    };
+    let (mut listed, mut mentioned) = (BTreeSet::new(), BTreeSet::new());
+    for row in rows {
+        listed.extend(names(row.split(" | ").next().unwrap_or_default()));
+        mentioned.extend(names(row));
+    }
+    if listed.is_empty() {
+        return Vec::new();
+    }
+    listed.difference(files).chain(files.difference(&mentioned)).cloned().collect()
+}
+
 /// Fails with what is found in any of some files.
 fn none(paths: Vec<PathBuf>, find: fn(&str) -> Vec<(usize, &str)>) {
     let mut all = String::new();
@@ -91,6 +107,29 @@ fn first_sentences_name_the_thing() {
 fn comments_keep_to_a_width() {
     let tests = sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests"));
     none(crates().into_iter().chain(tests).collect(), long);
+}
+
+#[test]
+fn tables_name_each_file_of_their_folder() {
+    let is_front = |path: &PathBuf| path.ends_with("mod.rs") || path.ends_with("lib.rs");
+    for front in crates().into_iter().filter(is_front) {
+        let text = fs::read_to_string(&front).unwrap();
+        if !text.contains("//! | file |") {
+            continue;
+        }
+        let is_module = |name: &String| {
+            let declared = format!("mod {name};");
+            text.contains(&declared) && !text.contains(&format!("#[cfg(test)]\n{declared}"))
+        };
+        let folder = fs::read_dir(front.parent().unwrap()).unwrap();
+        let name = |path: PathBuf| Some(path.file_stem()?.to_str()?.to_owned());
+        let files = folder.filter_map(|entry| name(entry.unwrap().path())).filter(is_module);
+        assert_eq!(strangers(&text, &files.collect()), [""; 0], "{}", front.display());
+    }
+    let made = "//! | file | what |\n//! |---|---|\n//! | `a`, [`b`] | with `c` |";
+    let files = |names: &[&str]| names.iter().map(ToString::to_string).collect();
+    assert_eq!(strangers(made, &files(&["a", "b", "c"])), [""; 0]);
+    assert_eq!(strangers(made, &files(&["a", "c", "d"])), ["b", "d"]);
 }
 
 #[test]

@@ -8,7 +8,7 @@
 //! | `mode` | the seven collapse modes |
 //! | `line` | the lines of the map on which two of them meet |
 //! | `arch` | an arch: weight, half opening, friction |
-//! | [`measures`] | an arch in metres, and the weight of its material |
+//! | [`measures`], `length` | an arch in metres, and the weight of its material; lengths with their units |
 //! | `slope` | an acceleration over gravity: a ratio, or an angle |
 //! | `thickness` | a thickness as it is written: a ratio, or a length |
 //! | [`survey`] | all arches between measured ends, and which of them decide |
@@ -18,6 +18,7 @@
 //! | [`asymmetric_region`] | of which arches one is known; what "stands" means |
 //! | `problem` | a landmark or the state of an arch: system, what is given, conditions |
 //! | `condition` | what makes a state admissible, and the thinnest |
+//! | `verdict` | what decides that an arch does not stand |
 //! | `examined`, `examined_small` | how much a state has to spare of each |
 //! | `quantity`, `known` | what can be asked of a landmark or a state, and what is known of it |
 //! | `named` | names, for people, files and serde |

@@ -383,7 +383,9 @@ impl<M: Midpoint> Stumpff for FloatBall<M> {
         }
         // As for balls of MPFR: what follows the terms is within |u| of one.
         let tail = self.int(1).widened(size);
-        from_series(self, count, terms(M::BITS, 1), &tail)
+        // A size below the least normal double is below that.
+        let exponent = (size.to_bits() >> 52) as i64 - 1022;
+        from_series(self, count, terms(M::BITS, exponent), &tail)
     }
 }
 

@@ -5,7 +5,7 @@
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
 //! | `read` | TOML to a valid scene, or all its faults; with `table`, `axes`, `read_arches`, `read_drawing`, `read_map`, `figure`, `read_output`, `read_print`, `value`, `fault` |
 //! | `scene_map` | which lines a map shows |
-//! | `plan` | what has to be computed, each part once |
+//! | `plan`, `same`, `left_out` | what has to be computed, each part once, and what has not |
 //! | `work`, `computable` | what a part is; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
 //! | `run` | computes the parts, item by item; `shared` has what they share, `cost` counts |
 //! | `item_report` | what an item asked for, as a report |

@@ -54,9 +54,10 @@ impl Stumpff for Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Magnitude;
-    use crate::number::Real;
     use crate::number::test_config::config;
+    use crate::number::{
+        DoubleBall, DoubleDoubleBall, FloatBall, Magnitude, Midpoint, Real, TripleWordBall,
+    };
     use proptest::prelude::*;
     use rug::Rational;
 
@@ -90,6 +91,43 @@ mod tests {
                 prop_assert!(lower <= truth.upper() && truth.lower() <= upper);
                 let width = Magnitude::upper(found.mid()).shifted(12 - i64::from(bits));
                 prop_assert!(found.rad() < width, "no digit is lost: {found:?}");
+            }
+        }
+    }
+
+    fn of_floats<M: Midpoint>(
+        u: &FloatBall<M>,
+        to_ball: impl Fn(&FloatBall<M>) -> Ball,
+    ) -> Vec<Ball> {
+        u.stumpff(6).iter().map(to_ball).collect()
+    }
+
+    proptest! {
+        #![proptest_config(config(300))]
+
+        /// In balls of two and of three words, of numbers of any size and of sets of them.
+        #[test]
+        fn floats_enclose_the_true_values(x in -1.0f64..=1.0, shift in 0i32..1100, wide in 0i32..60) {
+            let x = x * 2f64.powi(1 - shift / 2) * 2f64.powi(-(shift - shift / 2));
+            for radius in [0.0, x.abs() * 2f64.powi(-wide)] {
+                let u = DoubleBall::new(x, radius);
+                let found = [
+                    (of_floats(&DoubleDoubleBall::from(u), |c| c.to_ball(300)), 96i64),
+                    (of_floats(&TripleWordBall::from(u), |c| c.to_ball(300)), 140),
+                ];
+                let [x, radius] = [x, radius].map(|x| Rational::from_f64(x).unwrap());
+                for end in [x.clone() - &radius, x.clone(), x + &radius] {
+                    let truth = Ball::enclosing(&end, 400).stumpff(6);
+                    // Of a set the true value at an end is an end of the enclosure, but for what is rounded up.
+                    let truth: Vec<_> = truth.iter().filter_map(|c| c.mid().to_rational()).collect();
+                    for (found, bits) in &found {
+                        let is_true = found.iter().zip(&truth).all(|(all, one)| all.contains(one));
+                        prop_assert!(is_true && truth.len() == 6, "{found:?} {truth:?}");
+                        prop_assert!(!found[4].contains(&truth[3]), "false twin");
+                        let width = |c: &Ball| Magnitude::upper(c.mid()).shifted(-bits);
+                        prop_assert!(radius > 0 || found.iter().all(|c| c.rad() < width(c)));
+                    }
+                }
             }
         }
     }

@@ -24,10 +24,9 @@
 //! | `state` | the outcome |
 //! | `thrust_range`, `assess` | an arch of a given thickness |
 //! | `enough` | what would be enough for an arch that falls |
-//! | `figure`, `digits` | the outcome in digits |
+//! | `digits` | the outcome in digits |
 //! | `measured` | the same in metres and kilonewtons |
 //! | [`find`] | questions the other way round |
-//! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
 //! | `kept` | the states that were proved last |
 //! | `balls`, `tier` | which numbers are asked, in which order |
