@@ -92,6 +92,8 @@ fn what_is_found_says_of_which_arches_it_speaks() {
         ("half-opening --friction 1.05 --thickness 0.55", true),
         ("half-opening --friction 1.05 --thickness 0.3", false),
         ("half-opening --friction inf --thickness 0.55", false),
+        ("half-opening --friction 1e100 --thickness 0.05", false),
+        ("friction --half-opening 1e-100 --thickness 0.5", false),
     ] {
         let table = printed(format!("find {arguments}"));
         assert!(table.contains(MEANING), "{table}");
@@ -107,6 +109,8 @@ fn an_arch_of_stones_with_limited_friction_is_not_said_to_stay() {
         let table = printed(format!("{arch} 1.05"));
         assert!(table.contains(MEANING) && table.contains(MAY_MOVE), "{table}");
         assert!(table.contains("couplet complementarity --stones 8"), "{table}");
+        let of_many = printed("voussoirs --half-opening 2.3 --stones 61 --friction 1.05");
+        assert!(of_many.contains(MAY_MOVE) && !of_many.contains("complementarity"), "{of_many}");
         assert!(!printed(format!("{arch} inf")).contains(MAY_MOVE));
         for (friction, moves) in [("1.05", true), ("inf", false)] {
             assert_eq!(object(format!("{arch} {friction}"))["may_move"], moves);

@@ -51,7 +51,8 @@ impl SurveyGiven {
 
     fn of(is_unlimited: bool, asked: &ArchAsked, spelling: Spelling) -> Result<Self, Misfit> {
         if asked.tilt.is_some() {
-            let (name, range) = (spelling.of(Field::Tilt), asked.ranges().next());
+            let (name, range) =
+                (spelling.of(Field::Tilt), asked.ranges().find(|of| *of != Field::Tilt));
             let range = range
                 .map_or("a range".to_owned(), |of| format!("the range of {}", spelling.of(of)));
             let message = format!(

@@ -6,6 +6,7 @@ use crate::certify::state::{Fall, Figure};
 use crate::problem::asymmetric_region::{LOOK, MAY_MOVE};
 use crate::problem::stones::Stones;
 use crate::problem::{Landmark, Mode, Quantity};
+use couplet_stones::MOST_ENUMERATED_STONES;
 use std::borrow::Cow;
 use std::fmt::Display;
 use std::io;
@@ -121,9 +122,11 @@ pub fn may_move(thicknesses: &[Figure]) -> Option<String> {
     (!thicknesses.is_empty()).then_some(words)
 }
 
-/// Sentence on stones and limited friction, of which it depends on their number.
+/// Sentence on stones and limited friction, of which it depends on their number; with the command that looks for such a
+/// motion, between as many as it does.
 pub fn stones_may_move(stones: &Stones) -> String {
     match stones {
+        Stones::Equal { stones, .. } if *stones > MOST_ENUMERATED_STONES => MAY_MOVE.to_owned(),
         Stones::Equal { stones, .. } => format!("{MAY_MOVE} ({LOOK} --stones {stones})"),
         Stones::Joints(_) => format!("{MAY_MOVE} ({LOOK})"),
     }

@@ -51,9 +51,9 @@ use std::path::PathBuf;
 /// The verdict of a row is one of: correctly rounded; correct; inaccurate; thicker than the least
 /// thickness; wrong mode; claims that an arch falls which stands; thinner than the least thickness;
 /// claims an arch that cannot stand; no claim; undecided; bad row. The first two are accepted: every number
-/// is less than a unit of its last printed place from the truth, or correct to 12 digits; but a least
-/// thickness that is too small has 3 correct digits at least, however few are printed. If several verdicts
-/// apply, the last one in this list is reported. Thinner (the unsafe side), thicker and inaccurate are
+/// has a correct digit and is less than a unit of its last printed place from the truth, or is correct to 12
+/// digits; but a least thickness that is too small has 3 correct digits at least, however few are printed. If
+/// several verdicts apply, the last one in this list is reported. Thinner (the unsafe side), thicker and inaccurate are
 /// reported only for numbers that are not accepted. Where the mode is wrong and the other is met half a unit
 /// of the last place of the friction or of the half opening away, the report says how near.
 ///

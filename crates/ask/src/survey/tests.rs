@@ -162,7 +162,7 @@ fn what_makes_no_range_of_arches_is_refused_with_its_field() {
         ),
         ("alpha=1 mu=1..2 eta=0.1 stones=3..4", Some(F::Stones), "one number of stones"),
         ("alpha=1..2 mu=1 eta=0.1 tilt=0.1", Some(F::Tilt), "level ground"),
-        ("alpha=1 mu=1 eta=0.1 tilt=0.1..0.2", Some(F::Tilt), "level ground"),
+        ("alpha=1 mu=1 eta=0.1 tilt=0.1..0.2", Some(F::Tilt), "tilt does not go with a range:"),
         ("joints=0,1..2 mu=1 eta=0.1", Some(F::Joints), "one value is read here"),
         (
             "alpha=1 radius=5m mu=1..2 eta=1m density=24kN/m3..22kN/m3 depth=1m",

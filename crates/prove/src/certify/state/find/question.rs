@@ -7,11 +7,12 @@ use crate::certify::state::assess::Wanted;
 use crate::certify::state::inquiry::Inquiry;
 use crate::certify::state::query::{DOUBLE_DOUBLE, GUARD, Query};
 use crate::certify::state::state::Fall;
-use crate::number::{Ball, DoubleBall, ExactNumber, Field, Real, bits_of};
+use crate::number::{Ball, ExactNumber, Field, Real, bits_of};
 use crate::problem::asymmetric_region::{STANDS, some_may_move as reaches};
 use crate::problem::{Arch, ArchError, Friction, Line, Mode, Quantity, Sought};
 use crate::prover::{Error, Figure, Refused, Undecided, raise};
 use rug::Rational;
+use rug::float::Round;
 
 /// A question the other way round.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -175,8 +176,9 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
 
 /// Tells whether an asymmetric mechanism is known of any of the arches of which the answer says that they stand.
 fn some_may_move(question: &Question, arch: &Arch, found: &Found) -> bool {
-    let given = arch.given::<DoubleBall>(53);
-    let range = |x: &DoubleBall| [x.lower(), x.upper()];
+    // Balls of doubles know nothing of a size that no arch has.
+    let given = arch.given::<Ball>(53);
+    let range = |x: &Ball| [x.lower().to_f64_round(Round::Down), x.upper().to_f64_round(Round::Up)];
     let bounds =
         |of: Quantity| found.figures.iter().find(|(name, _)| *name == of).map(|(_, x)| &x.binary);
     let ranges = match question {
