@@ -6,5 +6,5 @@ pub mod strategies;
 
 use couplet_check::{arch, problem};
 use couplet_number::number;
-use couplet_prove::certify;
+use couplet_prove::{certify, prover};
 use couplet_solve as solve;

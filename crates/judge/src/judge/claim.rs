@@ -1,5 +1,6 @@
 //! Content of a row of results.
 
+use super::number::Possible;
 use super::printed::PrintedNumber;
 use crate::certify::Refused;
 use crate::number::{Decimal, ExactNumber, says, shown as short};
@@ -29,16 +30,9 @@ pub struct Claimed {
     pub text: String,
     /// True if the number is an angle in degrees.
     pub degrees: bool,
-    pub(super) value: ClaimedValue,
-    size: u64,
-}
-
-#[derive(Clone, Debug)]
-pub(super) enum ClaimedValue {
-    Number(PrintedNumber),
-    Infinite,
-    /// The claim is that there is none.
-    Nothing,
+    pub(super) value: Possible<PrintedNumber>,
+    /// The power of ten next to it, of either sign; none for zero.
+    pub(super) size: u64,
 }
 
 /// The text of a row, by column; a column that the file does not have is `None`.
@@ -133,7 +127,7 @@ impl RowClaim {
         let has_least = said.numbers.iter().any(|(quantity, ..)| least(*quantity));
         match numbers.iter().find(|number| least(number.quantity)) {
             Some(number) => {
-                votes.push(("thickness", matches!(number.value, ClaimedValue::Number(_))));
+                votes.push(("thickness", number.value.finite().is_some()));
             }
             None if has_least && said.stands.is_none() && said.can_stand.is_none() => {
                 votes.push(("thickness", false));
@@ -148,7 +142,7 @@ impl RowClaim {
         }
         let who = |stands| votes.iter().find(|(_, vote)| *vote == stands).map(|(name, _)| *name);
         let any_number = || {
-            let is_one = |number: &Claimed| matches!(number.value, ClaimedValue::Number(_));
+            let is_one = |number: &Claimed| number.value.finite().is_some();
             numbers.iter().any(|number| is_one(number) && !number.is_of_half_opening())
         };
         let can_stand = match (who(true), who(false)) {
@@ -191,11 +185,11 @@ impl Claimed {
         let may_be_infinite =
             [Quantity::RotationalFriction, Quantity::LargestThrust, Quantity::FrictionSafety];
         let value = if may_be_infinite.contains(&quantity) && is_word(text, &infinite) {
-            ClaimedValue::Infinite
+            Possible::Infinite
         } else if let Some(number) = PrintedNumber::from_hexadecimal(text) {
-            ClaimedValue::Number(number)
+            Possible::Finite(number)
         } else if is_word(text, &NOTHING) {
-            ClaimedValue::Nothing
+            Possible::Missing
         } else {
             let range = || ClaimError::Range(quantity.name(), short(text));
             let decimal: Decimal = match text.parse() {
@@ -212,7 +206,7 @@ impl Claimed {
             if !in_range {
                 return Err(range());
             }
-            ClaimedValue::Number(PrintedNumber::from_decimal(&decimal).ok_or_else(range)?)
+            Possible::Finite(PrintedNumber::from_decimal(&decimal).ok_or_else(range)?)
         };
         Ok(Self { quantity, text: text.to_owned(), degrees, value, size })
     }
@@ -223,17 +217,10 @@ impl Claimed {
         self.quantity == Quantity::SlidingFriction
     }
 
-    /// The power of ten next to it, of either sign; none for zero.
-    pub(super) fn size(&self) -> u64 {
-        self.size
-    }
-
     /// Significant digits as written; none for zero.
     pub(super) fn significant_digits(&self) -> usize {
-        match &self.value {
-            ClaimedValue::Number(number) if number.value != 0 => number.digits.len(),
-            _ => 0,
-        }
+        let number = self.value.finite().filter(|number| number.value != 0);
+        number.map_or(0, |number| number.digits.len())
     }
 }
 

@@ -48,6 +48,6 @@ pub use audit::{
 };
 pub use boundary::Boundary;
 pub use claim::{ClaimError, Claimed, RowClaim, Said};
-pub use number::{Certified, CorrectDigits, Errors, Judged};
+pub use number::{Certified, CorrectDigits, Errors, Judged, Possible};
 pub use printed::PrintedVerdict;
 pub use verdict::{Demand, ErrorSide, Judgement, Standing, Verdict, judge};

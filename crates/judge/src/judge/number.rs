@@ -1,13 +1,12 @@
 //! One claimed number against its enclosure.
 
-use super::claim::{Claimed, ClaimedValue};
+use super::claim::Claimed;
 use super::comparable::Comparable;
-use super::printed::{
-    KnownValue, PrintedError, PrintedNumber, PrintedVerdict, correct_digits, spacing,
-};
+use super::printed::{KnownValue, PrintedNumber, PrintedVerdict, correct_digits, spacing};
 use super::truth::Truth;
 use crate::number::{Ball, Decimal, DoubleDoubleBall, ExactNumber, Rounded, nearest_double};
 use crate::problem::Quantity;
+use crate::prover::figure::optional;
 use rug::Rational;
 use std::cmp::Ordering;
 
@@ -33,22 +32,25 @@ pub struct Judged {
     pub order: Option<Ordering>,
 }
 
-/// The certified value of a number.
+/// A number of an arch, as it is claimed, known or certified.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Certified {
-    /// Correctly rounded, with outward bounds.
-    Finite(Rounded),
+pub enum Possible<T> {
+    /// The value.
+    Finite(T),
     /// Unbounded.
     Infinite,
-    /// The state has no such number.
+    /// The arch has no such number.
     Missing,
 }
 
-impl Certified {
+/// The certified value of a number: correctly rounded, with outward bounds.
+pub type Certified = Possible<Rounded>;
+
+impl<T> Possible<T> {
     /// The value, where it is finite.
-    pub fn rounded(&self) -> Option<&Rounded> {
+    pub fn finite(&self) -> Option<&T> {
         match self {
-            Self::Finite(rounded) => Some(rounded),
+            Self::Finite(value) => Some(value),
             Self::Infinite | Self::Missing => None,
         }
     }
@@ -85,7 +87,7 @@ const BEYOND: usize = 3;
 /// relative error is so close to a round number that extra digits are needed.
 pub(super) fn compared_digits(claimed: &Claimed) -> usize {
     const ORDINARY: u64 = 100;
-    let size = claimed.size();
+    let size = claimed.size;
     shown_digits(claimed) + if size > ORDINARY { size as usize } else { 0 }
 }
 
@@ -118,12 +120,10 @@ impl Judged {
             order: None,
         };
         match (&claimed.value, &truth) {
-            (ClaimedValue::Infinite, Truth::Infinite) | (ClaimedValue::Nothing, Truth::Missing) => {
+            (Possible::Infinite, Truth::Infinite) | (Possible::Missing, Truth::Missing) => {
                 judged.correct_digits = CorrectDigits::Exact;
             }
-            (ClaimedValue::Number(number), Truth::Finite(known)) => {
-                judged.compare(number, known)?
-            }
+            (Possible::Finite(number), Truth::Finite(known)) => judged.compare(number, known)?,
             // One is a number and the other is not: no digit is correct.
             _ => {}
         }
@@ -138,31 +138,26 @@ impl Judged {
         let absolute = truth.error_of(&number.value);
         let units = absolute.over(&number.unit);
         let rounding = units.verdict()?;
-        let order = order(&absolute)?;
+        let order = absolute.order()?;
         let size = absolute.shown()?;
-        let relative = match (truth, order) {
-            (_, Ordering::Equal) => Some(size.clone()),
+        let relative = match (truth, &absolute) {
+            _ if order == Ordering::Equal => Some(size.clone()),
             // Exactly one, which no enclosure decides.
             _ if number.value == 0 => Some(Rounded::from_rational(&Rational::from(1), 1)?.value),
-            (KnownValue::Exact(x), _) if *x == 0 => None,
-            (KnownValue::Exact(x), _) => Some(absolute.over(x).shown()?),
-            (KnownValue::Enclosed(x), _) => match &absolute {
-                PrintedError::Enclosed(error) => {
-                    Some(PrintedError::Enclosed(error.clone() / x).shown()?)
-                }
-                PrintedError::Exact(_) => None,
-            },
+            (KnownValue::Exact(x), _) if *x != 0 => Some(absolute.over(x).shown()?),
+            (KnownValue::Enclosed(x), KnownValue::Enclosed(error)) => {
+                Some(KnownValue::Enclosed(error.clone() / x).shown()?)
+            }
+            _ => None,
         };
         let nearest = match truth {
             KnownValue::Exact(x) => ExactNumber::from(x).nearest_double(),
             KnownValue::Enclosed(x) => Some(x.double()?),
         };
         let is_exactly_zero = matches!(truth, KnownValue::Exact(x) if *x == 0);
-        let ulp = match nearest.and_then(spacing).filter(|_| !is_exactly_zero) {
-            Some(spacing) => Some(absolute.over(&spacing).shown()?),
-            None => None,
-        };
-        let Certified::Finite(rounded) = &self.certified else { return None };
+        let spacing = nearest.and_then(spacing).filter(|_| !is_exactly_zero);
+        let ulp = optional(spacing, |spacing| absolute.over(&spacing).shown())?;
+        let rounded = self.certified.finite()?;
         self.correct_digits = match order {
             Ordering::Equal => CorrectDigits::Exact,
             _ => CorrectDigits::Digits(correct_digits(&absolute, &size, rounded)?),
@@ -201,15 +196,6 @@ impl Judged {
     /// Tells whether the number is the least thickness of an arch.
     pub fn is_least_thickness(&self) -> bool {
         matches!(self.quantity, Quantity::Thickness | Quantity::LeastThickness)
-    }
-}
-
-fn order<E: Comparable>(error: &PrintedError<E>) -> Option<Ordering> {
-    match error {
-        PrintedError::Exact(error) => Some(error.cmp0()),
-        PrintedError::Enclosed(_) => {
-            Some(if error.is_negative()? { Ordering::Less } else { Ordering::Greater })
-        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::comparable::Comparable;
 use crate::number::{Ball, Decimal, ExactNumber, Rounded, Ternary, hexadecimal, worded};
 use rug::{Integer, Rational, ops::Pow};
+use std::cmp::Ordering;
 
 /// Significant digits of an error.
 const ERROR_DIGITS: usize = 3;
@@ -73,7 +74,7 @@ pub(super) fn spacing(x: f64) -> Option<Rational> {
 /// The most digits `k` for which an error is at most half a unit of the `k`-th significant digit of the
 /// truth; where that is zero, of the `k`-th decimal place. `size` is that of the error.
 pub(super) fn correct_digits<E: Comparable>(
-    error: &PrintedError<E>,
+    error: &KnownValue<E>,
     size: &Decimal,
     truth: &Rounded,
 ) -> Option<usize> {
@@ -95,7 +96,7 @@ pub(super) fn power_of_ten(exponent: i64) -> Option<Rational> {
     Some(if exponent < 0 { Rational::from((1, power)) } else { power.into() })
 }
 
-/// A certified value: exact, or in an enclosure.
+/// A value that is certified, or an error in some unit, of either sign: exact, or in an enclosure.
 #[derive(Clone, Debug)]
 pub(super) enum KnownValue<E = Ball> {
     Exact(Rational),
@@ -112,22 +113,13 @@ impl<E: Comparable> KnownValue<E> {
     }
 
     /// Difference of what is printed and this.
-    pub(super) fn error_of(&self, printed: &Rational) -> PrintedError<E> {
+    pub(super) fn error_of(&self, printed: &Rational) -> Self {
         match self {
-            Self::Exact(truth) => PrintedError::Exact(Rational::from(printed - truth)),
-            Self::Enclosed(truth) => PrintedError::Enclosed(truth.rational(printed) - truth),
+            Self::Exact(truth) => Self::Exact(Rational::from(printed - truth)),
+            Self::Enclosed(truth) => Self::Enclosed(truth.rational(printed) - truth),
         }
     }
-}
 
-/// An error in some unit, of either sign.
-#[derive(Clone, Debug)]
-pub(super) enum PrintedError<E = Ball> {
-    Exact(Rational),
-    Enclosed(E),
-}
-
-impl<E: Comparable> PrintedError<E> {
     /// Error in a unit that is not zero.
     pub(super) fn over(&self, unit: &Rational) -> Self {
         match self {
@@ -164,26 +156,25 @@ impl<E: Comparable> PrintedError<E> {
         }
     }
 
-    /// Tells whether the error is below zero.
-    pub(super) fn is_negative(&self) -> Option<bool> {
+    /// Order of the error and zero. An enclosure never decides that they are equal.
+    pub(super) fn order(&self) -> Option<Ordering> {
         match self {
-            Self::Exact(error) => Some(*error < 0),
-            Self::Enclosed(error) => decided((-error.clone()).is_positive()),
+            Self::Exact(error) => Some(error.cmp0()),
+            Self::Enclosed(error) => match decided((-error.clone()).is_positive())? {
+                true => Some(Ordering::Less),
+                false => Some(Ordering::Greater),
+            },
         }
     }
 
     /// Size of the error, correctly rounded to three digits; `0` where it is exactly zero.
     pub(super) fn shown(&self) -> Option<Decimal> {
-        match self {
-            Self::Exact(error) => {
-                Some(Rounded::from_rational(&error.clone().abs(), ERROR_DIGITS)?.value)
-            }
-            Self::Enclosed(error) => {
-                let negative = self.is_negative()?;
-                let size = if negative { -error.clone() } else { error.clone() };
-                Some(size.rounded(ERROR_DIGITS)?.value)
-            }
-        }
+        let size = match (self, self.order()?) {
+            (Self::Exact(error), Ordering::Less) => Self::Exact((-error).into()),
+            (Self::Enclosed(error), Ordering::Less) => Self::Enclosed(-error.clone()),
+            _ => self.clone(),
+        };
+        Some(size.rounded(ERROR_DIGITS)?.value)
     }
 }
 
@@ -202,14 +193,14 @@ mod tests {
     #[test]
     fn verdicts_at_the_borders() {
         let verdict =
-            |n: i32, d: i32| PrintedError::<Ball>::Exact(Rational::from((n, d))).verdict().unwrap();
+            |n: i32, d: i32| KnownValue::<Ball>::Exact(Rational::from((n, d))).verdict().unwrap();
         assert_eq!(verdict(1, 2), PrintedVerdict::CorrectlyRounded);
         assert_eq!(verdict(-1, 2), PrintedVerdict::CorrectlyRounded);
         assert_eq!(verdict(501, 1000), PrintedVerdict::Faithful);
         assert_eq!(verdict(-501, 1000), PrintedVerdict::Faithful);
         assert_eq!(verdict(1, 1), PrintedVerdict::Wrong);
         let wide = Ball::enclosing(&Rational::from((1, 2)), 256) + Ball::whole(256);
-        assert_eq!(PrintedError::Enclosed(wide).verdict(), None);
+        assert_eq!(KnownValue::Enclosed(wide).verdict(), None);
     }
 
     #[test]
@@ -234,7 +225,7 @@ mod tests {
             let error = |known: &KnownValue| known.error_of(&printed.value).over(&printed.unit);
             assert_eq!(error(&third).verdict(), error(&exact).verdict(), "{text}");
             assert_eq!(error(&third).shown(), error(&exact).shown(), "{text}");
-            assert_eq!(error(&third).is_negative(), error(&exact).is_negative(), "{text}");
+            assert_eq!(error(&third).order(), error(&exact).order(), "{text}");
         }
     }
 }

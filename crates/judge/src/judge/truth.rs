@@ -1,6 +1,7 @@
 //! Truth of a quantity that somebody claims.
 
 use super::comparable::Comparable;
+use super::number::Possible;
 use super::printed::KnownValue;
 use crate::certify::Answered;
 use crate::certify::state::{Assessment, Outcome};
@@ -9,13 +10,7 @@ use crate::problem::Quantity;
 use rug::Rational;
 
 /// Certain knowledge of a quantity of an arch.
-#[derive(Clone, Debug)]
-pub(super) enum Truth<E = Ball> {
-    Finite(KnownValue<E>),
-    Infinite,
-    /// The arch has no such number.
-    Missing,
-}
+pub(super) type Truth<E = Ball> = Possible<KnownValue<E>>;
 
 /// Proof about an arch.
 pub(super) struct ProvedArch<E> {

@@ -149,8 +149,8 @@ impl JudgedRow {
 pub(super) const NUMBER: [NamedColumn<Judged>; 11] = [
     ("claimed", Text(|number| Some(&number.claimed))),
     ("value", Shown(|number| Some(certified(&number.certified)))),
-    ("lower", Shown(|number| Some(&number.certified.rounded()?.lower))),
-    ("upper", Shown(|number| Some(&number.certified.rounded()?.upper))),
+    ("lower", Shown(|number| Some(&number.certified.finite()?.lower))),
+    ("upper", Shown(|number| Some(&number.certified.finite()?.upper))),
     ("error", Shown(|number| Some(&number.errors.as_ref()?.absolute))),
     ("relative_error", Shown(|number| Some(number.errors.as_ref()?.relative.as_ref()?))),
     ("error_units", Shown(|number| Some(&number.errors.as_ref()?.units))),
