@@ -140,26 +140,11 @@ impl Base {
             return None;
         };
         let threshold = &state.thickness;
+        let collapse = (threshold, Some(mode), &state.contacts[..]);
         let beside = |factor: &Rational| {
-            let (text, thickness) = self.written(&beside(threshold, factor), GIVEN_DIGITS)?;
-            let found = self.assessed(&friction, &thickness)?;
-            let safety = found.geometric_safety.clone().ok()??;
-            let proof = self.proof(&friction, &thickness, found)?;
-            Some(Assembly {
-                weight: self.weight,
-                stones: self.stones.clone(),
-                friction: friction.clone(),
-                thickness,
-                thickness_text: text,
-                surveyed: self.surveyed.clone(),
-                near: Near::Thickness,
-                margin: self.margin,
-                threshold: threshold.clone(),
-                safety,
-                mode: Some(mode),
-                contacts: state.contacts.to_vec(),
-                proof,
-            })
+            let written = self.written(&beside(threshold, factor), GIVEN_DIGITS)?;
+            let found = self.assessed(&friction, &written.1)?;
+            self.assembly(Near::Thickness, (friction.clone(), written), found, collapse)
         };
         let [above, below] = &self.margin.factors();
         let pair = [beside(above)?, beside(below)?];
@@ -172,12 +157,12 @@ impl Base {
         thickness: &Rational,
         digits: usize,
     ) -> Option<[Assembly; 2]> {
-        let (text, thickness) = self.written(thickness, digits)?;
-        let threshold = self.assessed(&1.into(), &thickness)?.required_friction.ok()??;
+        let written = self.written(thickness, digits)?;
+        let threshold = self.assessed(&1.into(), &written.1)?.required_friction.ok()??;
         let at = |factor: &Rational| {
             let friction = Rounded::from_rational(&beside(&threshold, factor), GIVEN_DIGITS)?.value;
             let friction: ExactNumber = friction.to_string().parse().ok()?;
-            let found = self.assessed(&friction, &thickness)?;
+            let found = self.assessed(&friction, &written.1)?;
             Some((friction, found))
         };
         let [above, below] = &self.margin.factors();
@@ -191,28 +176,44 @@ impl Base {
             Ok(VoussoirStanding::Falls(ends)) => mechanism(ends),
             _ => return None,
         };
-        let mode = self.mode(&contacts);
+        let collapse = (&threshold, self.mode(&contacts), &contacts[..]);
         let of = |(friction, found): (ExactNumber, VoussoirAssessment)| {
-            let safety = found.friction_safety.clone().ok()??;
-            let proof = self.proof(&friction, &thickness, found)?;
-            Some(Assembly {
-                weight: self.weight,
-                stones: self.stones.clone(),
-                friction,
-                thickness: thickness.clone(),
-                thickness_text: text.clone(),
-                surveyed: self.surveyed.clone(),
-                near: Near::Friction,
-                margin: self.margin,
-                threshold: threshold.clone(),
-                safety,
-                mode,
-                contacts: contacts.clone(),
-                proof,
-            })
+            self.assembly(Near::Friction, (friction, written.clone()), found, collapse)
         };
         let pair = [of(above)?, of(below)?];
         self.is_apart(&pair).then_some(pair)
+    }
+
+    /// The assembly with a friction and a thickness, as it is assessed, and with what gives way at the threshold;
+    /// `None` without a proof.
+    fn assembly(
+        &self,
+        near: Near,
+        (friction, (thickness_text, thickness)): (ExactNumber, (String, ExactNumber)),
+        found: VoussoirAssessment,
+        (threshold, mode, contacts): (&Figure, Option<Mode>, &[JointContact]),
+    ) -> Option<Assembly> {
+        let safety = match near {
+            Near::Friction => &found.friction_safety,
+            Near::Thickness => &found.geometric_safety,
+        };
+        let safety = safety.clone().ok()??;
+        let proof = self.proof(&friction, &thickness, found)?;
+        Some(Assembly {
+            weight: self.weight,
+            stones: self.stones.clone(),
+            friction,
+            thickness,
+            thickness_text,
+            surveyed: self.surveyed.clone(),
+            near,
+            margin: self.margin,
+            threshold: threshold.clone(),
+            safety,
+            mode,
+            contacts: contacts.to_vec(),
+            proof,
+        })
     }
 
     /// Tells whether the first of two stands and the second falls, and both are as far off as is said, to a part in a
