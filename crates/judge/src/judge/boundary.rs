@@ -25,7 +25,8 @@ impl Boundary {
     /// found so near, and for what is not a decimal with a point, which nobody has rounded.
     pub(super) fn near(arch: &Arch, mode: Mode) -> Option<Self> {
         [Quantity::Friction, Quantity::HalfOpening].into_iter().find_map(|quantity| {
-            let half = half_unit(given(arch, quantity)?)?;
+            let mut own = (arch.half_opening().clone(), arch.friction().clone());
+            let half = half_unit(given(&mut own, quantity)?)?;
             [half.clone(), -half].into_iter().find_map(|step| {
                 let steps = (0..POWERS).map(|power| step.clone() / Integer::from(10).pow(power));
                 let nearest =
@@ -37,9 +38,13 @@ impl Boundary {
     }
 }
 
-fn given(arch: &Arch, quantity: Quantity) -> Option<&ExactNumber> {
-    match (quantity, arch.friction()) {
-        (Quantity::HalfOpening, _) => Some(arch.half_opening()),
+/// The half opening or the friction of the two that are given.
+fn given(
+    (half_opening, friction): &mut (ExactNumber, Friction),
+    quantity: Quantity,
+) -> Option<&mut ExactNumber> {
+    match (quantity, friction) {
+        (Quantity::HalfOpening, _) => Some(half_opening),
         (_, Friction::Coefficient(x) | Friction::Angle(x)) => Some(x),
         (_, Friction::Infinite) => None,
     }
@@ -55,19 +60,14 @@ fn half_unit(x: &ExactNumber) -> Option<Rational> {
 
 /// The mode of the arch in which what is given is moved by a step; `None` if it falls or that is not certain.
 fn mode_beside(arch: &Arch, quantity: Quantity, step: &Rational) -> Option<Mode> {
-    let moved = |x: &ExactNumber| match x.is_in_degrees() {
+    let mut moved = (arch.half_opening().clone(), arch.friction().clone());
+    let x = given(&mut moved, quantity)?;
+    *x = match x.is_in_degrees() {
         true => ExactNumber::from(&(x.to_rational() * 180u32 + step)).degrees(),
         // Of the others only a rational number has a decimal that can be moved.
         false => ExactNumber::from(&(x.to_rational() + step)),
     };
-    let (half_opening, friction) = match (quantity, arch.friction()) {
-        (Quantity::HalfOpening, friction) => (moved(arch.half_opening()), friction.clone()),
-        (_, Friction::Coefficient(mu)) => {
-            (arch.half_opening().clone(), Friction::Coefficient(moved(mu)))
-        }
-        (_, Friction::Angle(phi)) => (arch.half_opening().clone(), Friction::Angle(moved(phi))),
-        (_, Friction::Infinite) => return None,
-    };
+    let (half_opening, friction) = moved;
     match Arch::new(arch.weight(), half_opening, friction).ok()?.certify_alone(1) {
         Ok(Answer::Stands(state)) => Some(state.mode),
         _ => None,

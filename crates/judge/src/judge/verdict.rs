@@ -141,7 +141,8 @@ impl Judgement {
 /// is decided.
 pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
     let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
-    let by_mpfr = || raised(arch, digits, |bits| compared::<Ball>(arch, claim, bits, demand));
+    let in_bits = |bits| Ok(compare(claim, &proved::<Ball>(arch, claim, bits)?, demand));
+    let by_mpfr = || raised(arch, digits, in_bits);
     let compared = match Tier::DoubleDoubles.has(digits) {
         true => quickly::<DoubleDoubleBall>(arch, claim, demand)
             .or_else(|| quickly::<TripleWordBall>(arch, claim, demand))
@@ -162,17 +163,7 @@ pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
 
 /// A claim beside what is proved in numbers that have the bits that they have, if these are enough.
 fn quickly<E: Comparable>(arch: &Arch, claim: &RowClaim, demand: Demand) -> Option<Judgement> {
-    compared::<E>(arch, claim, 0, demand).ok().flatten()
-}
-
-/// A claim beside what is proved in numbers of `bits` bits; nothing asks for a narrower enclosure.
-fn compared<E: Comparable>(
-    arch: &Arch,
-    claim: &RowClaim,
-    bits: u32,
-    demand: Demand,
-) -> Result<Option<Judgement>, Undecided> {
-    Ok(compare(claim, &proved::<E>(arch, claim, bits)?, demand))
+    compare(claim, &proved::<E>(arch, claim, 0).ok()?, demand)
 }
 
 /// Proof of what the row speaks of, in numbers of `bits` bits.
@@ -183,16 +174,11 @@ fn proved<E: Comparable>(
 ) -> Result<ProvedArch<E>, Undecided> {
     let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
     let outcome = E::state(arch, bits, frictions)?;
-    let falls = matches!(outcome, Outcome::Falls(_));
+    let asked = frictions && matches!(outcome, Outcome::Falls(_));
+    let assessed = claim.thickness.as_ref().map(|eta| assessed(arch, eta, claim, bits));
     Ok(ProvedArch {
-        sliding_friction: match frictions && falls {
-            true => Some(E::sliding_friction(arch, bits)?),
-            false => None,
-        },
-        assessment: match &claim.thickness {
-            Some(eta) => Some(assessed(arch, eta, claim, bits)?),
-            None => None,
-        },
+        sliding_friction: asked.then(|| E::sliding_friction(arch, bits)).transpose()?,
+        assessment: assessed.transpose()?,
         outcome,
     })
 }

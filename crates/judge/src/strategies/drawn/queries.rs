@@ -1,8 +1,9 @@
 //! A question about an arch, as it is typed.
 
 use super::numbers::{friction, half_opening, weight};
+use crate::arch::joint::Grip;
 use crate::arch::{SelfWeight, Unknown};
-use crate::number::{Ball, ExactNumber, Real, shown_as_text};
+use crate::number::{Ball, ExactNumber, shown_as_text};
 use crate::problem::{Arch, ArchError, Friction, Landmark};
 use crate::strategies::places::{DIGITS, beside};
 use proptest::prelude::*;
@@ -30,16 +31,12 @@ impl DrawnQuery {
     /// unlimited friction is infinite.
     pub fn doubles(&self) -> (f64, f64) {
         // More bits than a tie between two doubles could hide in.
-        let ball = |x: &ExactNumber| x.enclosure::<Ball>(256);
-        let friction = match &self.friction {
-            Friction::Coefficient(mu) => ball(mu).mid().to_f64(),
-            Friction::Angle(phi) => {
-                let (sin, cos) = ball(phi).sin_cos();
-                (sin / cos).mid().to_f64()
-            }
+        let Grip { shear, normal } = self.friction.grip::<Ball>(256);
+        let friction = match self.friction {
             Friction::Infinite => f64::INFINITY,
+            _ => (normal / shear).mid().to_f64(),
         };
-        (ball(&self.half_opening).mid().to_f64(), friction)
+        (self.half_opening.enclosure::<Ball>(256).mid().to_f64(), friction)
     }
 }
 
