@@ -162,10 +162,17 @@ impl SurveyAnswer {
         }
         for (of, ends) in told.into_iter().chain([(Quantity::Weight, weight)]) {
             if let [Some(lower), Some(upper)] = ends {
-                let [lower, upper] = [lower, upper].map(|value| RangeEnd { value, at: None });
-                self.ranges.push(QuantityRange { of, lower, upper });
+                self.ranges.push(QuantityRange::enclosed(of, [lower, upper]));
             }
         }
+    }
+}
+
+impl QuantityRange {
+    /// The range between two bounds that no arch need attain.
+    pub(super) fn enclosed(of: Quantity, ends: [EndValue; 2]) -> Self {
+        let [lower, upper] = ends.map(|value| RangeEnd { value, at: None });
+        Self { of, lower, upper }
     }
 }
 

@@ -54,10 +54,6 @@ struct DecidingArch {
 }
 
 impl DecidingArch {
-    fn corner(side: Side) -> Self {
-        Self { side, step: None }
-    }
-
     fn step(side: Side, step: [SpanAndRise; 2]) -> Self {
         Self { side, step: Some(step) }
     }
@@ -98,7 +94,7 @@ impl DecidingArch {
 
 /// The verdict by one corner, or by both.
 fn at_corners(survey: &Survey) -> Result<(SurveyVerdict, Vec<DecidingArch>), Undecided> {
-    let [worst, best] = [Side::Unsafe, Side::Safe].map(DecidingArch::corner);
+    let [worst, best] = [Side::Unsafe, Side::Safe].map(|side| DecidingArch { side, step: None });
     Ok(match (worst.stands(survey)?, best.stands(survey)?) {
         (true, _) => (SurveyVerdict::AllStand, vec![worst]),
         (false, true) => (SurveyVerdict::BothOccur, vec![worst, best]),

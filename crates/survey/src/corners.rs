@@ -9,7 +9,7 @@ use crate::certify::state::{
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
-use crate::problem::survey::{Side, SurveyVerdict, is_one_friction, is_one_number};
+use crate::problem::survey::{SurveyVerdict, is_one_friction, is_one_number};
 use crate::problem::{Arch, Quantity};
 use crate::prover::{Answered, Error, Refused, Undecided};
 use couplet_stones::{
@@ -18,7 +18,6 @@ use couplet_stones::{
 
 /// Corner of a survey with what is proved of it.
 pub(super) struct Corner {
-    pub(super) side: Side,
     pub(super) at: SurveyedArch,
     found: CornerAnswer,
     /// Least thickness in metres, where the arch is measured and some thickness is enough.
@@ -26,7 +25,7 @@ pub(super) struct Corner {
 }
 
 enum CornerAnswer {
-    State(Result<Answer, Error>),
+    State(Result<Answer, Undecided>),
     Assessment(Box<AssessmentDigits>),
     Stones(Result<Voussoirs, Undecided>, Option<Box<VoussoirAssessment>>),
 }
@@ -39,15 +38,16 @@ enum Told {
 }
 
 impl Corner {
-    pub(super) fn new(side: Side, at: SurveyedArch, digits: usize) -> Result<Self, Refused> {
+    pub(super) fn new(at: SurveyedArch, digits: usize) -> Result<Self, Refused> {
         Refused::digits(digits)?;
+        let state = || Error::apart(Balls::DoubleDoubles.state(&at.arch, digits, false));
         let found = match &at.thickness {
-            None => CornerAnswer::State(Balls::DoubleDoubles.state(&at.arch, digits, false)),
+            None => CornerAnswer::State(state()?),
             Some(eta) => {
                 CornerAnswer::Assessment(Box::new(at.arch.certify_thickness(eta, digits)?))
             }
         };
-        Ok(Self { side, at, found, metres: Ok(None) })
+        Ok(Self { at, found, metres: Ok(None) })
     }
 
     /// The corner with its least thickness in metres.
@@ -58,7 +58,6 @@ impl Corner {
 
     /// Corner of arches of stones.
     pub(super) fn of_stones(
-        side: Side,
         at: SurveyedArch,
         stones: &Stones,
         digits: usize,
@@ -67,7 +66,7 @@ impl Corner {
         let least = Error::apart(voussoirs(stones, weight, friction, digits))?;
         let assess = |eta| assess_voussoirs(stones, weight, friction, eta, digits).map(Box::new);
         let given = at.thickness.as_ref().map(assess).transpose()?;
-        Ok(Self { side, at, found: CornerAnswer::Stones(least, given), metres: Ok(None) })
+        Ok(Self { at, found: CornerAnswer::Stones(least, given), metres: Ok(None) })
     }
 
     /// Verdict on the arch, if it has a thickness.
@@ -85,11 +84,11 @@ impl Corner {
     /// Value of a quantity, where there is any to tell.
     fn told(&self, of: Quantity) -> Result<Option<Told>, Undecided> {
         match (&self.found, of) {
+            (_, Quantity::LeastThrust | Quantity::LargestThrust) => Ok(self.thrust(of)),
             (CornerAnswer::State(found), Quantity::LeastThickness) => match found {
                 Ok(Answer::Stands(state)) => Ok(Some(Told::Value(state.thickness.clone()))),
                 Ok(Answer::Falls { .. }) => Ok(Some(Told::Without(EndValue::NotEnough))),
-                Err(Error::Undecided(open)) => Err(open.clone()),
-                Err(Error::Refused(_)) => Ok(None),
+                Err(open) => Err(open.clone()),
             },
             (CornerAnswer::State(_), _) => Ok(None),
             (CornerAnswer::Assessment(found), of) => {
@@ -130,8 +129,8 @@ impl Corner {
         }
     }
 
-    /// End of the thrust that this corner decides.
-    fn thrust(&self, of: Quantity) -> Option<EndValue> {
+    /// The least or the largest admissible thrust.
+    fn thrust(&self, of: Quantity) -> Option<Told> {
         let thrusts = match &self.found {
             CornerAnswer::Assessment(found) => {
                 found.limits().map(|limit| limit.map(|limit| limit.thrust.as_ref()))
@@ -145,16 +144,12 @@ impl Corner {
             _ => return None,
         };
         let thrust = if of == Quantity::LeastThrust { thrusts[0] } else { thrusts[1] }?;
-        Some(match thrust {
+        match thrust {
             // Where all joints are beyond a right angle no thrust is too small: that is no number to tell.
-            None if of == Quantity::LeastThrust => return None,
-            None => EndValue::Unbounded,
-            Some(figure) => outward(figure, (of == Quantity::LeastThrust) == self.is_unsafe()),
-        })
-    }
-
-    fn is_unsafe(&self) -> bool {
-        self.side == Side::Unsafe
+            None if of == Quantity::LeastThrust => None,
+            None => Some(Told::Without(EndValue::Unbounded)),
+            Some(figure) => Some(Told::Value(figure.clone())),
+        }
     }
 }
 
@@ -173,7 +168,7 @@ pub(super) fn outward(figure: &Figure, up: bool) -> EndValue {
 /// Answer of two corners.
 pub(super) fn answer(worst: Corner, best: Corner, modes: Option<ModesFound>) -> SurveyAnswer {
     let (verdict, (mut ranges, open)) = (verdict(&worst, &best), ranges(&worst, &best));
-    ranges.extend(thrusts(&worst, &best));
+    ranges.extend(thrust_at_least_thickness(&worst, &best));
     SurveyAnswer { verdict, worst: worst.at, best: best.at, ranges, open, modes }
 }
 
@@ -191,15 +186,23 @@ fn verdict(worst: &Corner, best: &Corner) -> Option<Result<SurveyVerdict, Undeci
 /// Ranges of least thicknesses, required friction and safety factors, and what of it stays open: least thickness and
 /// required friction are largest at the worst arch, safety factors least (of measured arches the claims `survey-worst`
 /// and `survey-safety`).
+///
+/// And of the thrusts, where all arches stand and span and rise are not measured. Each state of an arch is admissible
+/// in every narrower, rougher and thicker one (the claim `survey-corners`): so the range of thrusts is within that of
+/// the best arch, and holds that of the worst.
 fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Option<Undecided>) {
     let (mut ranges, mut open) = (Vec::new(), None);
-    for (of, largest_is_worst) in [
+    let has_thrusts = worst.at.measured.is_none() && worst.stands() == Some(Ok(true));
+    let thrusts = [(Quantity::LeastThrust, true), (Quantity::LargestThrust, false)];
+    let others = [
         (Quantity::LeastThickness, true),
         (Quantity::GeometricSafety, false),
         (Quantity::RequiredFriction, true),
         (Quantity::FrictionSafety, false),
         (Quantity::ThicknessInMetres, true),
-    ] {
+    ];
+    let thrusts = thrusts.into_iter().filter(|_| has_thrusts);
+    for (of, largest_is_worst) in others.into_iter().chain(thrusts) {
         let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
         let (lower, upper) = match (first.told(of), last.told(of)) {
             (Ok(Some(lower)), Ok(Some(upper))) => (lower, upper),
@@ -222,33 +225,15 @@ fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Option<Undecide
     (ranges, open)
 }
 
-/// Ranges of the thrusts, where span and rise are not measured. Each state of an arch is admissible in every narrower,
-/// rougher and thicker one (the claim `survey-corners`): so the range of thrusts is within that of the best arch, and
-/// holds that of the worst.
-fn thrusts(worst: &Corner, best: &Corner) -> Vec<QuantityRange> {
-    if worst.at.measured.is_some() {
-        return Vec::new();
-    }
-    let mut ranges = Vec::new();
-    let thrusts = [(Quantity::LeastThrust, true), (Quantity::LargestThrust, false)];
-    for (of, largest_is_worst) in thrusts.into_iter().filter(|_| worst.stands() == Some(Ok(true))) {
-        let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
-        let (Some(lower), Some(upper)) = (first.thrust(of), last.thrust(of)) else { continue };
-        let (lower, upper) =
-            (RangeEnd::attained(lower, &first.at), RangeEnd::attained(upper, &last.at));
-        ranges.push(QuantityRange { of, lower, upper });
-    }
-    ranges.extend(thrust_at_least_thickness(worst, best));
-    ranges
-}
-
-/// Range of the thrust at the least thickness, where that is asked for: an enclosure. A state is admissible in the best
-/// arch too, and there as well when that has the thickness that the worst one needs.
+/// Range of the thrust at the least thickness, where that is asked for and span and rise are not measured: an
+/// enclosure. A state is admissible in the best arch too, and there as well when that has the thickness that the worst
+/// one needs.
 fn thrust_at_least_thickness(worst: &Corner, best: &Corner) -> Option<QuantityRange> {
     let (
         CornerAnswer::State(Ok(Answer::Stands(thin))),
         CornerAnswer::State(Ok(Answer::Stands(thick))),
-    ) = (&best.found, &worst.found)
+        None,
+    ) = (&best.found, &worst.found, &worst.at.measured)
     else {
         return None;
     };
@@ -260,8 +245,7 @@ fn thrust_at_least_thickness(worst: &Corner, best: &Corner) -> Option<QuantityRa
     let needed = ExactNumber::from(&thick.thickness.decimal.upper.to_rational());
     let digits = thin.thrust.decimal.value.significant_digits().min(ENCLOSED_DIGITS);
     let [lower, upper] = enclosed_thrusts(&best.at.arch, &needed, digits)?;
-    let enclosed = |value| RangeEnd { value, at: None };
-    Some(QuantityRange { of, lower: enclosed(lower.0), upper: enclosed(upper.1) })
+    Some(QuantityRange::enclosed(of, [lower.0, upper.1]))
 }
 
 /// Bounds of the least and of the largest thrust of an arch that stands.

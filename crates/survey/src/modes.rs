@@ -13,7 +13,6 @@ use crate::number::{Ball, DoubleBall, Enclosure, ExactNumber, Ternary};
 use crate::problem::survey::{frictions_in_order, in_order};
 use crate::problem::{Arch, Friction, Landmark, Mode};
 use std::collections::{HashSet, VecDeque};
-use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
 
 /// Most rectangles that are looked at for the modes of one survey.
@@ -41,17 +40,14 @@ pub(super) fn modes(
     while let Some((alphas, mus)) = waiting.pop_front() {
         cells += 1;
         let at = |alpha: &ExactNumber, mu: &Friction| place(weight, alpha, mu);
-        let corners = [
-            [at(&alphas[0], &mus[0]), at(&alphas[0], &mus[1])],
-            [at(&alphas[1], &mus[0]), at(&alphas[1], &mus[1])],
-        ];
+        let on_side = |alpha: &ExactNumber| mus.each_ref().map(|mu| at(alpha, mu));
+        let corners = alphas.each_ref().map(on_side);
         seen.extend(corners.iter().flatten().flatten());
         let mut possible = possible(&corners);
         possible.retain(|mode| is_on_side(*mode, weight, &alphas));
         if cells == 1 && !possible.is_subset(&seen) {
             for alpha in columns(&alphas) {
-                let ends = mus.each_ref().map(|mu| at(&alpha, mu));
-                look_between(weight, &alpha, mus.clone(), ends, &mut seen);
+                look_between(weight, &alpha, mus.clone(), on_side(&alpha), &mut seen);
             }
         }
         if possible.is_subset(&seen) {
@@ -188,32 +184,29 @@ fn halves(alphas: [ExactNumber; 2], mus: [Friction; 2]) -> Option<[StateRectangl
 
 /// Angle of a friction, about.
 fn angle(mu: &Friction) -> f64 {
-    match mu {
-        Friction::Infinite => FRAC_PI_2,
-        _ => {
-            let grip = mu.grip::<DoubleBall>(53);
-            grip.normal.mid().atan2(grip.shear.mid())
-        }
-    }
+    let grip = mu.grip::<DoubleBall>(53);
+    grip.normal.mid().atan2(grip.shear.mid())
 }
 
 /// Friction of the angle midway between those of two, if it is proved to lie between them.
 fn middle_friction(mus: &[Friction; 2]) -> Option<Friction> {
-    let [first, last] = mus;
-    let middle = ExactNumber::try_from(f64::midpoint(angle(first), angle(last)).tan()).ok()?;
-    let middle = Friction::Coefficient(middle);
-    let is_inside = frictions_in_order(&[first.clone(), middle.clone()]).is_ok()
-        && frictions_in_order(&[middle.clone(), last.clone()]).is_ok();
-    is_inside.then_some(middle)
+    let [first, last] = mus.each_ref().map(angle);
+    let middle = ExactNumber::try_from(f64::midpoint(first, last).tan()).ok()?;
+    between_ends(Friction::Coefficient(middle), mus, frictions_in_order)
 }
 
 /// A double, if it is proved to lie between two numbers.
 fn inside(x: f64, ends: &[ExactNumber; 2]) -> Option<ExactNumber> {
-    let middle = ExactNumber::try_from(x).ok()?;
-    let [first, last] = ends;
-    let is_inside = in_order(&[first.clone(), middle.clone()]).is_ok()
-        && in_order(&[middle.clone(), last.clone()]).is_ok();
-    is_inside.then_some(middle)
+    between_ends(ExactNumber::try_from(x).ok()?, ends, in_order)
+}
+
+fn between_ends<T: Clone, E>(
+    middle: T,
+    [first, last]: &[T; 2],
+    in_order: impl Fn(&[T; 2]) -> Result<(), E>,
+) -> Option<T> {
+    let pairs = [[first, &middle], [&middle, last]].map(|pair| pair.map(T::clone));
+    pairs.iter().all(|pair| in_order(pair).is_ok()).then_some(middle)
 }
 
 #[cfg(test)]

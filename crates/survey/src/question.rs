@@ -1,6 +1,6 @@
 //! The question about every arch of a survey.
 
-use super::answer::{ENCLOSED_DIGITS, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
+use super::answer::{ENCLOSED_DIGITS, QuantityRange, SurveyAnswer, SurveyedArch};
 use super::corners::{self, Corner};
 use super::modes::modes;
 use crate::problem::Quantity;
@@ -37,7 +37,7 @@ pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
 fn corner(survey: &Survey, side: Side, digits: usize) -> Result<Corner, Error> {
     let at = SurveyedArch::decisive(survey, side).ok_or_else(Undecided::no_solution)?;
     let measured = survey.thickness_at(side).zip(at.measured.clone());
-    let corner = Corner::new(side, at, digits)?;
+    let corner = Corner::new(at, digits)?;
     let Some(((circle, _), [span, rise, _])) = measured else { return Ok(corner) };
     let measures = Measures::new(circle, of_span_and_rise(&span, &rise).1, None);
     Ok(corner.in_metres(&measures, digits)?)
@@ -53,12 +53,8 @@ fn thrusts(survey: &Survey, digits: usize) -> Option<[QuantityRange; 2]> {
     };
     let [worst_least, worst_largest] = found(Side::Unsafe)?;
     let [best_least, best_largest] = found(Side::Safe)?;
-    let range = |of, lower, upper| {
-        let [lower, upper] = [lower, upper].map(|value| RangeEnd { value, at: None });
-        QuantityRange { of, lower, upper }
-    };
     Some([
-        range(Quantity::LeastThrust, best_least.0, worst_least.1),
-        range(Quantity::LargestThrust, worst_largest.0, best_largest.1),
+        QuantityRange::enclosed(Quantity::LeastThrust, [best_least.0, worst_least.1]),
+        QuantityRange::enclosed(Quantity::LargestThrust, [worst_largest.0, best_largest.1]),
     ])
 }

@@ -68,14 +68,6 @@ pub fn sought(survey: &Survey, of: Sought, digits: usize) -> Result<SurveyAnswer
     Ok(SurveyAnswer { verdict: None, worst, best, ranges, open: None, modes: None })
 }
 
-/// Quantities that tell what is sought.
-const fn quantities(of: Sought) -> &'static [Quantity] {
-    match of {
-        Sought::HalfOpening => &[Quantity::HalfOpening, Quantity::HalfOpeningDegrees],
-        Sought::Friction => &[Quantity::Friction],
-    }
-}
-
 /// Ends at a corner: on the side where an arch stands most easily the widest half opening is largest, the friction
 /// least.
 fn at_corner(
@@ -84,13 +76,15 @@ fn at_corner(
     digits: usize,
 ) -> Result<DecidedSide, Error> {
     let (arch, thickness) = (&at.arch, at.thickness.clone());
-    let question = match of {
-        Sought::HalfOpening => {
-            Question::HalfOpening { friction: arch.friction().clone(), thickness }
-        }
-        Sought::Friction => {
-            Question::Friction { half_opening: arch.half_opening().clone(), thickness }
-        }
+    let (question, quantities): (_, &[Quantity]) = match of {
+        Sought::HalfOpening => (
+            Question::HalfOpening { friction: arch.friction().clone(), thickness },
+            &[Quantity::HalfOpening, Quantity::HalfOpeningDegrees],
+        ),
+        Sought::Friction => (
+            Question::Friction { half_opening: arch.half_opening().clone(), thickness },
+            &[Quantity::Friction],
+        ),
     };
     let finding = find(arch.weight(), &question, digits)?;
     let is_upper = (of == Sought::HalfOpening) == (side == Side::Safe);
@@ -106,6 +100,6 @@ fn at_corner(
         };
         Ok((*quantity, RangeEnd::attained(value, &at)))
     };
-    let ends = quantities(of).iter().map(end).collect::<Result<_, Undecided>>()?;
+    let ends = quantities.iter().map(end).collect::<Result<_, Undecided>>()?;
     Ok((at, ends))
 }

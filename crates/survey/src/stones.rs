@@ -21,7 +21,7 @@ pub fn survey_of_stones(
 ) -> Result<SurveyAnswer, Error> {
     let corner = |side| {
         let at = SurveyedArch::decisive(survey, side).ok_or_else(Undecided::no_solution)?;
-        Ok::<_, Error>(Corner::of_stones(side, at, stones, digits)?)
+        Ok::<_, Error>(Corner::of_stones(at, stones, digits)?)
     };
     Ok(answer(corner(Side::Unsafe)?, corner(Side::Safe)?, None))
 }
