@@ -34,19 +34,9 @@ const PARTS: usize = 200;
 /// Part free of `t` in a condition on a line, and what multiplies it.
 type OnLine = [DoubleBall; 2];
 
-/// Part of a line on which the states may be admissible.
-#[derive(Debug, PartialEq)]
-enum LineStretch {
-    /// Nowhere.
-    Empty,
-    /// The states may be admissible at these `t` at most.
-    Within(ThicknessPiece),
-    /// Nothing limits the states, as far as is seen.
-    Endless,
-}
-
-/// Stretch that conditions leave of a line.
-fn stretch(conditions: &[OnLine]) -> LineStretch {
+/// Stretch that conditions leave of a line: the states may be admissible at these `t` at most. Its ends have passed
+/// each other where they are nowhere, and are infinite where nothing limits them, as far as is seen.
+fn stretch(conditions: &[OnLine]) -> ThicknessPiece {
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
     for [value, slope] in conditions {
         let bound = || -*value / slope;
@@ -56,11 +46,7 @@ fn stretch(conditions: &[OnLine]) -> LineStretch {
             least = least.max(bound().lower());
         }
     }
-    match (least > most, least.is_finite() && most.is_finite()) {
-        (true, _) => LineStretch::Empty,
-        (false, true) => LineStretch::Within(ThicknessPiece { low: least, high: most }),
-        (false, false) => LineStretch::Endless,
-    }
+    ThicknessPiece { low: least, high: most }
 }
 
 /// The line of the two conditions that are the least parallel, and the third one on it; `None` if no two are sure
@@ -91,11 +77,11 @@ pub(super) fn bears_no_motion(vertex: &Vertex<'_>, piece: &ThicknessPiece) -> bo
         .filter(|place| !vertex.of.contains(place))
         .map(|place| (place, line.value(&on(&conditions.all[place].row))))
         .unzip();
-    let mut pending = match stretch(&others) {
-        LineStretch::Empty => return true,
-        LineStretch::Endless => return false,
-        LineStretch::Within(all) => vec![all],
-    };
+    let all = stretch(&others);
+    if all.low > all.high || all.low.is_infinite() || all.high.is_infinite() {
+        return all.low > all.high;
+    }
+    let mut pending = vec![all];
     for _ in 0..PARTS {
         let Some(part) = pending.pop() else { return true };
         let t = part.ball();
@@ -110,14 +96,8 @@ pub(super) fn bears_no_motion(vertex: &Vertex<'_>, piece: &ThicknessPiece) -> bo
         if vertex.bears_no_motion(&may_be_zero, piece) {
             continue;
         }
-        let middle = part.middle();
-        if middle <= part.low || middle >= part.high {
-            return false;
-        }
-        pending.extend([
-            ThicknessPiece { low: middle, ..part },
-            ThicknessPiece { high: middle, ..part },
-        ]);
+        let Some([lower, upper]) = part.halves() else { return false };
+        pending.extend([upper, lower]);
     }
     pending.is_empty()
 }
@@ -139,18 +119,17 @@ mod tests {
         let on_line = |value: f64, slope: f64| [value, slope].map(|x| DoubleBall::new(x, 1e-6));
         // `3 t - 1 <= 0`, `t - 1 <= 0` and `-7 t - 2 <= 0`.
         let (near, far, below) = (on_line(-1.0, 3.0), on_line(-1.0, 1.0), on_line(-2.0, -7.0));
-        let LineStretch::Within(ThicknessPiece { low, high }) = stretch(&[far, near, below]) else {
-            panic!()
-        };
+        let ThicknessPiece { low, high } = stretch(&[far, near, below]);
         // What the balls allow at most, but for the rounding of the test.
         let ends = [-(2.0 + 1e-6) / (7.0 - 1e-6), (1.0 + 1e-6) / (3.0 - 1e-6)];
         assert!((0.0..1e-6).contains(&(ends[0] + 1e-12 - low)), "{low}");
         assert!((0.0..1e-6).contains(&(high - ends[1] + 1e-12)), "{high}");
-        assert_eq!(stretch(&[near]), LineStretch::Endless);
-        assert_eq!(stretch(&[near, on_line(-2.0, 1e-7)]), LineStretch::Endless);
+        let is_endless = |of: &[OnLine]| stretch(of).low == f64::NEG_INFINITY;
+        assert!(is_endless(&[near]) && is_endless(&[near, on_line(-2.0, 1e-7)]));
         // `t >= 1/2` leaves nothing, and `t >= 1/3` what the balls cannot tell from it.
-        assert_eq!(stretch(&[near, on_line(1.0, -2.0)]), LineStretch::Empty);
-        assert!(matches!(stretch(&[near, on_line(1.0, -3.0)]), LineStretch::Within(_)));
+        let is_empty = |piece: ThicknessPiece| piece.low > piece.high;
+        assert!(is_empty(stretch(&[near, on_line(1.0, -2.0)])));
+        assert!(!is_empty(stretch(&[near, on_line(1.0, -3.0)])));
     }
 
     /// Tells whether a triple may be dependent next to a thickness, and whether it is proved to bear no motion.

@@ -100,7 +100,7 @@ impl ShortPolynomial<DoubleBall> {
 
     /// Tells whether the polynomial is exactly zero.
     pub(super) fn is_zero(&self) -> bool {
-        self.terms.iter().all(|term| term.mid() == 0.0 && term.rad() == 0.0)
+        self.terms.iter().all(|term| term.size() == 0.0)
     }
 
     /// Value in doubles.

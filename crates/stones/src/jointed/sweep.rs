@@ -121,13 +121,11 @@ fn one(
                 continue;
             }
         }
-        let middle = piece.middle();
-        if middle <= piece.low || middle >= piece.high {
+        let Some([lower, upper]) = piece.halves() else {
             found.open.push(piece);
             continue;
-        }
-        pending.push((ThicknessPiece { low: middle, ..piece }, depth + 1));
-        pending.push((ThicknessPiece { high: middle, ..piece }, depth + 1));
+        };
+        pending.extend([(upper, depth + 1), (lower, depth + 1)]);
     }
     found
 }

@@ -42,6 +42,13 @@ impl ThicknessPiece {
     pub(super) fn middle(&self) -> f64 {
         0.5 * (self.low + self.high)
     }
+
+    /// The lower and the upper half; `None` if doubles tell no middle.
+    pub(super) fn halves(&self) -> Option<[Self; 2]> {
+        let middle = self.middle();
+        let is_inside = self.low < middle && middle < self.high;
+        is_inside.then_some([Self { high: middle, ..*self }, Self { low: middle, ..*self }])
+    }
 }
 
 /// Exact zeros where the range begins: at the least thickness, or at 0.
@@ -79,10 +86,6 @@ pub(super) struct Vertex<'a> {
     values: Vec<ShortPolynomial<DoubleBall>>,
 }
 
-fn is_negative(x: &DoubleBall) -> bool {
-    is_positive(&-*x)
-}
-
 impl<'a> Vertex<'a> {
     /// The vertex of these conditions, from the minors of the first two.
     pub(super) fn new(
@@ -97,7 +100,8 @@ impl<'a> Vertex<'a> {
     /// The sign that is left to the common factor on a piece: positive, negative.
     fn signs(&self, piece: &DoubleBall) -> [bool; 2] {
         let factor = self.meeting[3].on(piece);
-        [factor.upper() > 0.0 && !is_zero(&factor), factor.lower() < 0.0 && !is_zero(&factor)]
+        let is_zero = factor.size() == 0.0;
+        [factor.upper() > 0.0 && !is_zero, factor.lower() < 0.0 && !is_zero]
     }
 
     /// Tells whether a single condition shows that the triple is no vertex on a piece; a guess says which: those that
@@ -118,7 +122,7 @@ impl<'a> Vertex<'a> {
             entry(0) * at[0] + entry(1) * at[1] + entry(2) * at[2] + entry(3) * at[3]
         };
         // What is not so at both ends in doubles is not tried in balls.
-        let value = |place| self.conditions.value(place, &self.of, &self.meeting).on(&ball);
+        let value = |place| self.value(place).on(&ball);
         let passes = |place: usize, sign: f64| {
             [low, high].iter().all(|state| sign * near(place, state) > 0.0)
                 && is_positive(&(value(place) * DoubleBall::exact(sign)))
@@ -161,8 +165,7 @@ impl<'a> Vertex<'a> {
         start: Option<&SweepStart>,
     ) -> Option<Vec<usize>> {
         if self.values.is_empty() {
-            let value = |place| self.conditions.value(place, &self.of, &self.meeting);
-            self.values = (0..self.conditions.all.len()).map(value).collect();
+            self.values = (0..self.conditions.all.len()).map(|place| self.value(place)).collect();
         }
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
@@ -180,7 +183,7 @@ impl<'a> Vertex<'a> {
             }
             if is_positive(&value) {
                 plus = false;
-            } else if is_negative(&value) {
+            } else if is_positive(&-value) {
                 minus = false;
             } else {
                 others.push(place);
@@ -290,10 +293,6 @@ const NARROW: f64 = 1e-5;
 const SOME: usize = 5;
 /// A value that is no rounding beside the size of its terms.
 const CLEAR: f64 = 1e-9;
-
-fn is_zero(x: &DoubleBall) -> bool {
-    x.mid() == 0.0 && x.rad() == 0.0
-}
 
 /// The rows in doubles, by the powers of the thickness.
 pub(super) fn in_doubles(conditions: &Conditions<DoubleBall>) -> Vec<[[f64; 3]; 4]> {
