@@ -44,6 +44,7 @@ use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure, ExactNumber, Field};
 use crate::problem::{Arch, Extent};
 use crate::prover::arithmetic::{larger, lesser};
+use crate::prover::decide::ensure;
 use crate::prover::{Error, Refused, Undecided};
 use crate::solve::rates::{PositiveRates, least_cost, parting};
 use crate::vector::{ForceLine, Vector, at, cross, dot, parts};
@@ -127,32 +128,20 @@ impl RateSearch {
         if self.has_no_rates() {
             return Ok(Programme::NoRates);
         }
-        let mut found: Option<(f64, Option<f64>)> = None;
+        let mut found: Vec<(f64, Option<f64>)> = Vec::new();
         let mut parallel = Vec::new();
         for pair in self.pairs() {
-            let (ends, admissible) = match self.stretch(pair)? {
-                FreeStretch::Empty => continue,
-                FreeStretch::Parallel => {
-                    if pair.iter().any(|place| !self.is_free_of_moment(*place)) {
-                        parallel.push(pair);
+            match self.stretch(pair)? {
+                FreeStretch::Empty => {}
+                FreeStretch::Parallel if pair.iter().all(|of| self.is_free_of_moment(*of)) => {}
+                FreeStretch::Parallel => parallel.push(pair),
+                FreeStretch::Ends(ends, admissible) => {
+                    for end in &ends {
+                        let (lower, best) = self.bound(end)?;
+                        let upper = if admissible { self.value(end, &best) } else { None };
+                        found.push((lower, upper));
                     }
-                    continue;
                 }
-                FreeStretch::Ends(ends, admissible) => (ends, admissible),
-            };
-            for end in &ends {
-                let (lower, best) = self.bound(end)?;
-                let upper = if admissible { self.value(end, &best) } else { None };
-                found = Some(match found {
-                    None => (lower, upper),
-                    Some((low, high)) => {
-                        let high = match (high, upper) {
-                            (Some(a), Some(b)) => Some(f64::min(a, b)),
-                            (a, b) => a.or(b),
-                        };
-                        (low.min(lower), high)
-                    }
-                });
             }
         }
         // In a half arch a vertex is on two lines, and one of them is enough.
@@ -160,12 +149,11 @@ impl RateSearch {
             None => has_triangle(&parallel),
             Some(_) => parallel.len() > 1,
         };
-        if is_open {
-            return Err(Undecided::new("whether conditions are parallel"));
-        }
-        Ok(match found {
+        ensure(!is_open, "whether conditions are parallel")?;
+        let upper = found.iter().filter_map(|(_, upper)| *upper).reduce(f64::min);
+        Ok(match found.into_iter().map(|(lower, _)| lower).reduce(f64::min) {
             None => Programme::NothingAdmissible,
-            Some((lower, upper)) if lower > 0.0 => Programme::Least { lower, upper },
+            Some(lower) if lower > 0.0 => Programme::Least { lower, upper },
             Some(_) if self.bears_nothing() => Programme::Idle,
             Some(_) => return Err(Undecided::new("whether the least value is zero")),
         })
@@ -174,11 +162,8 @@ impl RateSearch {
     /// Tells whether a direction is proved in which all motions point, `y . b > 0`: then rates that are not negative
     /// and have `sum rate b = 0` are zero.
     fn has_no_rates(&self) -> bool {
-        let column = |limit: &MovingLimit| {
-            let [a, b, c] = limit.motion.map(|x| x.mid());
-            [a, b, c, 0.0]
-        };
-        let columns: Vec<[f64; 4]> = self.all.iter().map(column).collect();
+        let columns: Vec<[f64; 4]> =
+            self.columns.iter().map(|[a, b, c, _]| [*a, *b, *c, 0.0]).collect();
         parting(&columns, 0.0).is_some_and(|[x, y, z, _]| {
             let direction = [x, y, z].map(DoubleBall::exact);
             let along = |limit: &MovingLimit| dot(&limit.motion, &direction);
@@ -188,7 +173,7 @@ impl RateSearch {
 
     /// Tells whether a condition of the whole arch says nothing of `p`, exactly.
     fn is_free_of_moment(&self, place: usize) -> bool {
-        let is_zero = |limit: &MovingLimit| limit.row[1].mid() == 0.0 && limit.row[1].rad() == 0.0;
+        let is_zero = |limit: &MovingLimit| limit.row[1].size() == 0.0;
         self.plane.is_none() && self.all.get(place).is_some_and(is_zero)
     }
 
@@ -244,14 +229,12 @@ impl RateSearch {
         let others = others.filter(|(k, _)| *k != i && *k != j && !self.follows[*k]);
         for (_, other) in others {
             let [value, slope] = line.value(&other.row);
-            let bound = || -value / slope;
+            let bound = -value / slope;
             if slope.is_positive().is_proved() {
-                let bound = bound();
                 most = Some(most.map_or(bound, |most| lesser(most, bound)));
             } else if (-slope).is_positive().is_proved() {
-                let bound = bound();
                 least = Some(least.map_or(bound, |least| larger(least, bound)));
-            } else if slope.mid() == 0.0 && slope.rad() == 0.0 {
+            } else if slope.size() == 0.0 {
                 if value.is_positive().is_proved() {
                     return Ok(FreeStretch::Empty);
                 }
@@ -270,14 +253,10 @@ impl RateSearch {
         }
         // A bound left out makes a stretch longer, which loses nothing; but a ray has no vertex where a stretch
         // would end.
-        if is_open && (least.is_none() || most.is_none()) {
-            return Err(Undecided::new("whether a line is admissible as a whole"));
-        }
         let ends = [least, most].into_iter().flatten();
         let ends: Vec<Vector> = ends.map(|t| line.at(t)).collect();
-        if ends.is_empty() {
-            return Err(Undecided::new("whether a line is admissible as a whole"));
-        }
+        let has_ends = ends.len() == 2 || ends.len() == 1 && !is_open;
+        ensure(has_ends, "whether a line is admissible as a whole")?;
         Ok(FreeStretch::Ends(ends, is_whole))
     }
 
