@@ -194,7 +194,7 @@ fn at_thickness(
         At::Least => {
             let least = Error::apart(least_solution(arch, stones, extent, digits))?;
             let (named, found) = match least {
-                Ok(LeastSolution::At(solution)) => {
+                Ok(LeastSolution::From(solution)) => {
                     (Some(solution.thickness), Ok(ProgrammeFound::At(Programme::Zero)))
                 }
                 Ok(LeastSolution::Always) => (None, Ok(ProgrammeFound::EveryThicknessStands)),

@@ -41,9 +41,9 @@ pub struct JointedMotion {
 
 /// The thicknesses at which there is an admissible state.
 #[derive(Clone, Debug)]
-pub enum Standing {
+pub enum Standing<T = Box<Figure>> {
     /// Every thickness from this one on stands, up to 2.
-    From(Box<Figure>),
+    From(T),
     /// Every thickness stands, up to 2.
     Always,
     /// None up to 2.
@@ -51,24 +51,7 @@ pub enum Standing {
 }
 
 /// The solution at the least thickness, or that there is no such thickness.
-#[derive(Clone, Debug)]
-pub enum LeastSolution {
-    /// The least solution is there.
-    At(Box<JointedSolution>),
-    /// There is none, as every thickness up to 2 stands.
-    Always,
-    /// There is no least thickness, as no thickness up to 2 stands.
-    Never,
-}
-
-impl Enumeration {
-    /// Tells whether it is proved that no thickness above the least one has a solution, up to 2.
-    pub fn ends_at_the_least(&self) -> bool {
-        let is_symmetric =
-            |of: &Result<JointedSolution, _>| of.as_ref().is_ok_and(|of| of.is_symmetric);
-        self.open.is_empty() && self.solutions.iter().all(is_symmetric)
-    }
-}
+pub type LeastSolution = Standing<Box<JointedSolution>>;
 
 /// All solutions between equal stones.
 #[derive(Clone, Debug)]
@@ -91,6 +74,13 @@ pub struct Enumeration {
 }
 
 impl Enumeration {
+    /// Tells whether it is proved that no thickness above the least one has a solution, up to 2.
+    pub fn ends_at_the_least(&self) -> bool {
+        let is_symmetric =
+            |of: &Result<JointedSolution, _>| of.as_ref().is_ok_and(|of| of.is_symmetric);
+        self.open.is_empty() && self.solutions.iter().all(is_symmetric)
+    }
+
     /// Reason why something stays open, if anything does.
     pub fn first_open(&self) -> Option<Undecided> {
         let open = self.solutions.iter().find_map(|solution| solution.as_ref().err());

@@ -117,7 +117,7 @@ pub fn least_solution(
     let (equal, number, found) = standing((arch, stones, MOST_JOINTED_STONES), digits)?;
     let of = StonesInDigits { arch, stones: &equal, number, extent, digits };
     Ok(match found {
-        Voussoirs::Stands(state) => LeastSolution::At(Box::new(least::solution(&of, &state)?)),
+        Voussoirs::Stands(state) => LeastSolution::From(Box::new(least::solution(&of, &state)?)),
         Voussoirs::AnyThickness => LeastSolution::Always,
         Voussoirs::Slides | Voussoirs::TooThick => LeastSolution::Never,
     })

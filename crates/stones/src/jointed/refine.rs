@@ -9,6 +9,7 @@ use crate::arch::whole::Side;
 use crate::number::{Ball, Enclosure, ExactNumber, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Extent, JointLimit};
+use crate::prover::decide::{ensure, is_positive};
 use crate::prover::{Figure, Undecided, raise};
 use crate::zero::around_zero;
 use rug::{Float, Rational};
@@ -32,10 +33,6 @@ pub(super) struct RefinedState {
     /// `h, p, v`.
     pub forces: [Ball; 3],
     pub moving: Vec<(usize, Ball)>,
-}
-
-fn open(question: &'static str) -> Undecided {
-    Undecided::new(question)
 }
 
 impl RefinedState {
@@ -64,9 +61,7 @@ impl RefinedState {
         let zero = thickness.clone() - &thickness;
         let sum = counted.fold(zero, |sum, (_, rate)| sum + rate);
         let levels: Vec<Ball> = rates.into_iter().map(|rate| rate / &sum).collect();
-        if !levels.iter().all(|level| level.is_positive().is_proved()) {
-            return Err(open("whether each joint moves its way"));
-        }
+        ensure(levels.iter().all(is_positive), "whether each joint moves its way")?;
         let [h, p, v, whole] = conditions.meeting(&of).map(|entry| entry.at(&thickness));
         let forces = [h, p, v].map(|x| x / &whole);
         Ok(Self { thickness, forces, moving: places.into_iter().zip(levels).collect() })
@@ -94,9 +89,8 @@ impl StonesInDigits<'_> {
             };
             let thickness = zero_near(&polynomial, event.piece.middle(), bits)?;
             let [low, high] = [event.piece.low, event.piece.high].map(|x| Float::with_val(64, x));
-            if thickness.lower() < low || thickness.upper() > high {
-                return Err(open("which zero of the conditions it is"));
-            }
+            let is_inside = thickness.lower() >= low && thickness.upper() <= high;
+            ensure(is_inside, "which zero of the conditions it is")?;
             let mut state = RefinedState::at(&conditions, &event.kind, thickness)?;
             // Of two mirror images the one with a positive vertical force.
             if (-state.forces[2].clone()).is_positive().is_proved() {
@@ -170,5 +164,9 @@ pub(super) fn zero_near(
     let [below, above] = [&low, &high].map(|x| polynomial.at(x));
     let changes =
         below.excludes_zero() && above.excludes_zero() && (*below.mid() > 0) != (*above.mid() > 0);
-    if changes { Ok(low.hull(&high)) } else { Err(open("whether a condition changes its sign")) }
+    if changes {
+        Ok(low.hull(&high))
+    } else {
+        Err(Undecided::new("whether a condition changes its sign"))
+    }
 }
