@@ -66,22 +66,14 @@ impl TiltDigits {
     ) -> Self {
         let first = bits_of(digits) + GUARD;
         let found = OnceCell::new();
-        let largest = |bits| {
-            let [few, more] = BITS.map(|bits| {
-                let proved = &proved;
-                move || proved(bits)
-            });
-            match found.get_or_init(|| few().or_else(|_| more())) {
+        let largest =
+            |bits| match found.get_or_init(|| proved(BITS[0]).or_else(|_| proved(BITS[1]))) {
                 Ok(found) => found.as_ref().map(|found| refined(found, bits)).transpose(),
                 Err(open) => Err(Undecided::clone(open)),
-            }
-        };
+            };
         let told = || {
             let tilt = acceleration(tilt, BITS[0]);
-            match has_state(&tilt) {
-                true => Some(true),
-                false => has_none(&tilt).then_some(false),
-            }
+            has_state(&tilt).then_some(true).or_else(|| has_none(&tilt).then_some(false))
         };
         let compare = |found: &Option<TiltMechanism>, bits| match found {
             None => Some(true),
@@ -111,7 +103,7 @@ impl TiltDigits {
 }
 
 /// Question that stays open where no direction with room is found.
-const UNBOUNDED: &str = "whether the acceleration is bounded";
+pub(super) const UNBOUNDED: &str = "whether the acceleration is bounded";
 /// Question that stays open where the search finds no conditions that limit it.
 pub(super) const NOT_FOUND: &str = "which conditions limit the acceleration";
 /// Bits of the proof, and those with which it is tried once more.

@@ -14,7 +14,7 @@
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
 use super::jointed::limits_at_joint;
-use super::tilt::{NOT_FOUND, TiltDigits, contradict, determinant};
+use super::tilt::{NOT_FOUND, TiltDigits, UNBOUNDED, contradict, determinant};
 use super::tilt_mechanism::{TiltMechanism, TiltedJoint, kept};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -23,7 +23,7 @@ use crate::arch::whole::Side;
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Joints, Slope};
-use crate::prover::decide::is_positive;
+use crate::prover::decide::{ensure, is_positive};
 use crate::prover::{Refused, Undecided};
 use crate::solve::tilt::{StoneTilt, against, inside, largest};
 use rug::Float;
@@ -160,16 +160,12 @@ struct StoneSystem<'a> {
 impl<'a> StoneSystem<'a> {
     fn new(of: &'a [&'a StoneLimit]) -> Result<Self, Undecided> {
         let kept = kept(of.iter().map(|at| at.place.2));
-        if of.len() != kept.len() {
-            return Err(Undecided::new(NOT_FOUND));
-        }
+        ensure(of.len() == kept.len(), NOT_FOUND)?;
         let row = |at: &&StoneLimit| kept.iter().map(|k| at.row.coefficients[*k].clone()).collect();
         let matrix: Vec<Vec<Ball>> = of.iter().map(row).collect();
         let determinant = determinant(&matrix);
-        match determinant.excludes_zero() {
-            true => Ok(Self { of, kept, matrix, determinant }),
-            false => Err(Undecided::new(NOT_FOUND)),
-        }
+        ensure(determinant.excludes_zero(), NOT_FOUND)?;
+        Ok(Self { of, kept, matrix, determinant })
     }
 
     /// The unknown of a column, by Cramer's rule, with what is on the right.
@@ -196,13 +192,10 @@ fn limited(
     moment: f64,
     bits: u32,
 ) -> Result<TiltMechanism, Undecided> {
-    let open = || Undecided::new(NOT_FOUND);
     let of: Vec<&StoneLimit> = active.iter().filter_map(|place| all.get(*place)).collect();
     let system = StoneSystem::new(&of)?;
     let multipliers: Vec<Ball> = (0..of.len()).map(|i| system.multiplier(i)).collect();
-    if !multipliers.iter().all(is_positive) {
-        return Err(open());
-    }
+    ensure(multipliers.iter().all(is_positive), NOT_FOUND)?;
     let mut unknowns = [0, 1, 2, 3].map(|_| Ball::exact(Float::with_val(bits, moment), bits));
     for (column, k) in system.kept.iter().enumerate() {
         unknowns[*k] = system.unknown(column);
@@ -218,7 +211,8 @@ fn limited(
     let idle = of.iter().find(|at| slips(at) == 2).map(|at| joint(at));
     if let (false, Some(idle)) = (is_pinned, idle) {
         let extrados = (idle.0, idle.1, Contact::Extrados);
-        let hinge = all.iter().find(|of| of.place == extrados).ok_or_else(open)?;
+        let hinge = all.iter().find(|of| of.place == extrados);
+        let hinge = hinge.ok_or_else(|| Undecided::new(NOT_FOUND))?;
         unknowns[1] = zero;
         unknowns[1] = -(hinge.row.at(&unknowns, &one) / &hinge.row.coefficients[1]);
     }
@@ -230,9 +224,8 @@ fn limited(
     let others = all.iter().enumerate().filter(|(place, _)| !active.contains(place));
     let others = others.filter(|(_, at)| !bears_nothing(at));
     let holds = |of: &StoneLimit| (-of.row.at(&unknowns, &one)).is_positive().is_proved();
-    if !others.into_iter().all(|(_, of)| holds(of)) {
-        return Err(Undecided::new("whether a state is admissible at every joint"));
-    }
+    let is_admissible = others.into_iter().all(|(_, of)| holds(of));
+    ensure(is_admissible, "whether a state is admissible at every joint")?;
     let springing = all.iter().map(|of| of.place.0).max().unwrap_or(0);
     let joint = |(of, rate): (&&StoneLimit, Ball)| TiltedJoint {
         contact: of.place.2,
@@ -250,10 +243,7 @@ fn unlimited(all: &[StoneLimit], direction: &[f64; 3], bits: u32) -> Result<(), 
     let (one, zero) = (h.int(1), h.int(0));
     let unknowns = [h, p, v, one];
     let falls = |of: &StoneLimit| (-of.row.at(&unknowns, &zero)).is_positive().is_proved();
-    match all.iter().all(falls) {
-        true => Ok(()),
-        false => Err(Undecided::new("whether the acceleration is bounded")),
-    }
+    ensure(all.iter().all(falls), UNBOUNDED)
 }
 
 #[cfg(test)]

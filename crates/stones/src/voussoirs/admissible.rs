@@ -51,18 +51,17 @@ impl StoneLine<'_> {
 
     /// The line of thrust is inside the arch at all joints.
     pub(super) fn is_inside(&self) -> Result<(), Undecided> {
-        self.proved(|line| line.is_inside_beside_haunch())
-    }
-
-    fn is_inside_beside_haunch(&self) -> Result<(), Undecided> {
-        let haunch = self.contacts[1].1;
+        let Self { joints, contacts, .. } = *self;
+        let haunch = contacts[1].1;
         let above = haunch.checked_sub(1);
-        let below = Some(haunch + 1).filter(|below| *below <= self.joints.last());
-        let beside = above.into_iter().chain(below);
+        let below = Some(haunch + 1).filter(|below| *below <= joints.last());
         // In a joint that is open there is no normal force, and no moment.
-        let is_open = self.contacts[0] == (Contact::Inwards, haunch)
-            && self.joints.stones.may_open(haunch, self.joints.is_limited());
-        self.is_inside_at(beside, |joint| is_open && joint == haunch)
+        let is_open = contacts[0] == (Contact::Inwards, haunch)
+            && joints.stones.may_open(haunch, joints.is_limited());
+        self.proved(|line| {
+            let beside = above.into_iter().chain(below);
+            line.is_inside_at(beside, |joint| is_open && joint == haunch)
+        })
     }
 
     /// The line of thrust is inside the arch at the first and the last joint and above the intrados at these, but for

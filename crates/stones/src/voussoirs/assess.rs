@@ -71,7 +71,8 @@ pub(super) fn assessed(
         match ThickStones::new(&joints, &eta(bits), ties).range()? {
             ThrustRange::Falls(_) => Ok(None),
             ThrustRange::Stands(ends) => {
-                required(&joints, &Ring::new(arch.weight(), &eta(bits)), &ends).map(Some)
+                let ring = Ring::new(arch.weight(), &eta(bits));
+                joints.searched(|search| required(&joints, &ring, &ends, search)).map(Some)
             }
         }
     };

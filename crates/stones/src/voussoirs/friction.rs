@@ -17,17 +17,8 @@ use crate::prover::Undecided;
 use crate::prover::decide::{ensure, is_positive};
 use crate::solve::voussoir_thrust::{Needed, Searches};
 
-/// The least friction, for the range of thrusts with unlimited friction.
+/// The least friction, for the range of thrusts with unlimited friction and the joints that a search finds.
 pub(super) fn required(
-    joints: &StoneJoints<'_>,
-    ring: &Ring<Ball>,
-    ends: &[ProvedThrustEnd; 2],
-) -> Result<Ball, Undecided> {
-    joints.searched(|search| required_found(joints, ring, ends, search))
-}
-
-/// The least friction, for the joints that a search finds.
-fn required_found(
     joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
     ends: &[ProvedThrustEnd; 2],
