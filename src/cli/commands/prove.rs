@@ -116,7 +116,7 @@ fn certificate_files(certificates: &[OsString]) -> Result<Vec<(String, String)>,
         let shown = visible_name(path);
         let bytes = read(path).map_err(|error| Failure::reading(&shown, &error))?;
         let (name, text) = coq::certificate(&bytes)
-            .map_err(|error| Failure::Input(format!("{shown}: {error}")))?;
+            .map_err(|why| Failure::Input(format!("{shown}: refused: {why}")))?;
         let count = seen.entry(name.clone()).and_modify(|n| *n += 1).or_insert(1);
         let name = match *count {
             1 => name,

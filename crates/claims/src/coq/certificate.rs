@@ -9,54 +9,38 @@ use crate::check::{
     AcceptedFile, ArchFile, Certificate, ClaimFile, Refusal, SurveyCertificate, ValueFile, Witness,
     verify_file,
 };
-use crate::number::{Dyadic, says};
+use crate::number::Dyadic;
+use crate::problem::{Landmark, Mode};
 use rug::Integer;
 use rug::integer::Order;
 
-/// Reason why a certificate does not become a theorem.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum CertificateError {
-    /// The checker does not accept it.
-    Refused(Refusal),
-}
-
-says!(CertificateError { Self::Refused(why) => "refused: {why}"; });
-
-impl From<Refusal> for CertificateError {
-    fn from(why: Refusal) -> Self {
-        Self::Refused(why)
-    }
-}
-
-/// The file of a certificate, name and content, after a check of it.
+/// The file of a certificate, name and content, after a check of it; an error if the checker does not accept it.
 ///
 /// Its theorem is the claim of the certificate to all its digits: a landmark, a state, that an arch stands, is too
 /// thin, too wide or slides, an asymmetric solution, or a verdict on all arches of a survey. A landmark has a corollary
 /// for each value that the paper prints of it.
-pub fn certificate(bytes: &[u8]) -> Result<(String, String), CertificateError> {
-    let (name, title, weight, theory, term, rest) = match verify_file(bytes)? {
+pub fn certificate(bytes: &[u8]) -> Result<(String, String), Refusal> {
+    let (name, title, weight, kinds, term, rest) = match verify_file(bytes)? {
         AcceptedFile::Survey(_) => {
             let certificate = SurveyCertificate::read(bytes)?;
-            let name = survey::name(&certificate);
+            let name = format!("Survey{}", survey::verdict(&certificate));
             let title = "All arches of a survey".to_owned();
             let weight = capital(&certificate.survey.weight);
-            (name, title, weight, "SurveySound", survey::term(&certificate, term), String::new())
+            let kinds = ["SurveySound", "survey_certificate", "claim_of_survey", "sound_survey"];
+            (name, title, weight, kinds, survey::term(&certificate, term), String::new())
         }
         AcceptedFile::Certificate(_) => {
             let certificate = Certificate::read(bytes)?;
-            let CoqSubject { name, title, term: subject } = CoqSubject::new(&certificate.claim);
+            let [name, title, subject] = subject(&certificate.claim);
             let is_landmark = certificate.claim.landmark.is_some();
             let theory = if is_landmark { "Landmarks" } else { "Sound" };
+            let kinds = [theory, "certificate", "claim_of", "sound"];
             let weight = capital(&certificate.claim.weight);
             let rest = last_digit::corollaries(&certificate, &subject);
-            (name, title, weight, theory, term(&certificate), rest)
+            (name, title, weight, kinds, term(&certificate), rest)
         }
     };
-    let [kind, claim, theorem] = match theory {
-        "SurveySound" => ["survey_certificate", "claim_of_survey", "sound_survey"],
-        _ => ["certificate", "claim_of", "sound"],
-    };
+    let [theory, kind, claim, theorem] = kinds;
     let values = [
         ("title", format!("{title}, {weight}'s self-weight")),
         ("theory", theory.to_owned()),
@@ -75,7 +59,7 @@ pub fn certificate(bytes: &[u8]) -> Result<(String, String), CertificateError> {
 fn term(certificate: &Certificate) -> String {
     format!(
         "Certificate ({}) {}\n    {}\n    {}\n    {}\n    {}",
-        CoqSubject::new(&certificate.claim).term,
+        subject(&certificate.claim)[2],
         certificate.digits,
         boxed(&certificate.unique),
         list(certificate.inverse.iter().map(|row| list(row.iter().map(dyadic)))),
@@ -84,87 +68,54 @@ fn term(certificate: &Certificate) -> String {
     )
 }
 
-/// The subject of a claim.
-struct CoqSubject {
-    /// Beginning of the file's name.
-    name: String,
-    /// Title for a reader.
-    title: String,
-    /// Term of Coq.
-    term: String,
-}
-
-impl CoqSubject {
-    fn new(claim: &ClaimFile) -> Self {
-        let weight = capital(&claim.weight);
-        let arch = |half_opening: &str, friction: &str| {
-            format!("(Arch {weight} {} {})", number(half_opening), coefficient(friction))
-        };
-        let of = |a: &ArchFile| arch(&a.half_opening, &a.friction);
-        let subject =
-            |name: &str, title: String, term: String| Self { name: name.to_owned(), title, term };
-        if let Some(s) = &claim.state {
-            let (mode, arch) = (mode(&s.mode), arch(&s.half_opening, &s.friction));
-            let title = format!("An arch at its least thickness: [{}]", s.mode);
-            return subject(&format!("State{mode}"), title, format!("State {mode} {arch}"));
-        }
-        if let Some(s) = &claim.too_thin {
-            let (mode, arch) = (mode(&s.mode), arch(&s.half_opening, &s.friction));
-            let term = format!("TooThin {mode} {arch} {}", number(&s.thickness));
-            return subject("TooThin", "An arch that is too thin".into(), term);
-        }
-        if let Some(a) = &claim.slides {
-            return subject("Slides", "An arch that slides".into(), format!("Slides {}", of(a)));
-        }
-        if let Some(a) = &claim.too_wide {
-            return subject(
-                "TooWide",
-                "An arch that is too wide".into(),
-                format!("TooWide {}", of(a)),
-            );
-        }
-        if let Some(s) = &claim.stands {
-            let nearest = capital(&s.nearest);
-            let forces = format!("{} {}", dyadic(&s.thrust), dyadic(&s.crown_moment));
-            let thickness = number(&s.thickness);
-            let arch = arch(&s.half_opening, &s.friction);
-            let term = format!("Stands {arch} {thickness} {forces} At{nearest}");
-            return subject("Stands", "An arch that stands".into(), term);
-        }
-        if let Some(a) = &claim.asymmetric {
-            let kind = match a.mode.as_str() {
-                "inner_sliding" => "SlidesInside",
-                "shoulder_opening" => "OpensAtShoulder",
-                _ => "SlidesAlone",
-            };
-            let term = format!("Asymmetric {kind} {}", arch(&a.half_opening, &a.friction));
-            let title = "An asymmetric solution of the complementarity problem (19)";
-            return subject(&format!("Asymmetric{kind}"), title.into(), term);
-        }
-        let symbol = claim.landmark.as_deref().unwrap_or_default();
-        let landmark = match symbol {
-            "T" => "Triple",
-            "S" => "Shift",
-            "J" => "Junction",
-            "B" => "Border",
-            "l" => "RotationEnd",
-            "L" => "OverturningEnd",
-            _ => "WidestJoint",
-        };
-        let title = format!("The point {symbol}");
-        subject(&format!("Landmark{landmark}"), title, format!("Landmark {landmark} {weight}"))
+/// The subject of a claim: beginning of the file's name, title for a reader, and term of Coq, which names modes and
+/// landmarks as the variants of [`Mode`] and [`Landmark`].
+fn subject(claim: &ClaimFile) -> [String; 3] {
+    let weight = capital(&claim.weight);
+    let arch = |half_opening: &str, friction: &str| {
+        format!("(Arch {weight} {} {})", number(half_opening), coefficient(friction))
+    };
+    let of = |a: &ArchFile| arch(&a.half_opening, &a.friction);
+    let mode = |label: &str| Mode::named(label).map_or(String::new(), |mode| format!("{mode:?}"));
+    let told = |name: &str, title: &str, term: String| [name.to_owned(), title.to_owned(), term];
+    if let Some(s) = &claim.state {
+        let (mode, arch) = (mode(&s.mode), arch(&s.half_opening, &s.friction));
+        let title = format!("An arch at its least thickness: [{}]", s.mode);
+        return told(&format!("State{mode}"), &title, format!("State {mode} {arch}"));
     }
-}
-
-fn mode(label: &str) -> &'static str {
-    match label {
-        "[r,r,r]" => "Rotational",
-        "[s,r,r]" => "SlidingRotational",
-        "[r,r,s]" => "RotationalSliding",
-        "[r,s,r]" => "RotationalSlidingRotational",
-        "[r,s]" => "OverturningSliding",
-        _ => "Overturning",
+    if let Some(s) = &claim.too_thin {
+        let (mode, arch) = (mode(&s.mode), arch(&s.half_opening, &s.friction));
+        let term = format!("TooThin {mode} {arch} {}", number(&s.thickness));
+        return told("TooThin", "An arch that is too thin", term);
     }
+    if let Some(a) = &claim.slides {
+        return told("Slides", "An arch that slides", format!("Slides {}", of(a)));
+    }
+    if let Some(a) = &claim.too_wide {
+        return told("TooWide", "An arch that is too wide", format!("TooWide {}", of(a)));
+    }
+    if let Some(s) = &claim.stands {
+        let nearest = capital(&s.nearest);
+        let forces = format!("{} {}", dyadic(&s.thrust), dyadic(&s.crown_moment));
+        let thickness = number(&s.thickness);
+        let arch = arch(&s.half_opening, &s.friction);
+        let term = format!("Stands {arch} {thickness} {forces} At{nearest}");
+        return told("Stands", "An arch that stands", term);
+    }
+    if let Some(a) = &claim.asymmetric {
+        let kind = match a.mode.as_str() {
+            "inner_sliding" => "SlidesInside",
+            "shoulder_opening" => "OpensAtShoulder",
+            _ => "SlidesAlone",
+        };
+        let term = format!("Asymmetric {kind} {}", arch(&a.half_opening, &a.friction));
+        let title = "An asymmetric solution of the complementarity problem (19)";
+        return told(&format!("Asymmetric{kind}"), title, term);
+    }
+    let symbol = claim.landmark.as_deref().unwrap_or_default();
+    let landmark = Landmark::named(symbol).map_or(String::new(), |point| format!("{point:?}"));
+    let title = format!("The point {symbol}");
+    told(&format!("Landmark{landmark}"), &title, format!("Landmark {landmark} {weight}"))
 }
 
 fn dyadic(x: &Dyadic) -> String {

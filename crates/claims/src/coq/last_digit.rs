@@ -6,7 +6,6 @@ use crate::judge::published::{PRINTED, Printed};
 use crate::problem::Quantity;
 use rug::Integer;
 use rug::ops::Pow;
-use std::cmp::Ordering;
 
 /// One corollary for each printed value of a landmark, where it is printed first, that the digits of its certificate
 /// decide: the tables come before the text.
@@ -55,12 +54,7 @@ fn decided(printed: &Printed, certificate: &Certificate) -> Option<(bool, Intege
     let digits: Integer = format!("{whole}{part}").parse().ok()?;
     let all: Integer = all.parse().ok().filter(|all| *all > 0)?;
     let twice = (all - units.clone() * &digits).abs() * 2u32;
-    let is_right = match twice.cmp(&units) {
-        Ordering::Less => true,
-        Ordering::Equal => return None,
-        Ordering::Greater => false,
-    };
-    Some((is_right, digits, places))
+    (twice != units).then(|| (twice < units, digits, places))
 }
 
 /// A quantity in the variables of a configuration.

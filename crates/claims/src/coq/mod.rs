@@ -15,4 +15,4 @@ mod last_digit;
 mod survey;
 mod value;
 
-pub use certificate::{CertificateError, certificate};
+pub use certificate::certificate;

@@ -3,11 +3,6 @@
 use super::value::{capital, coefficient, number, rows};
 use crate::check::{Certificate, PartFile, SurveyCertificate, SurveyFile};
 
-/// Beginning of the file's name.
-pub(super) fn name(certificate: &SurveyCertificate) -> String {
-    format!("Survey{}", verdict(certificate))
-}
-
 /// Term of Coq; `single` is that of the certificate of one arch.
 pub(super) fn term(certificate: &SurveyCertificate, single: fn(&Certificate) -> String) -> String {
     let parts = rows(certificate.parts.0.iter().map(|of| part(of, single)));
@@ -16,7 +11,7 @@ pub(super) fn term(certificate: &SurveyCertificate, single: fn(&Certificate) -> 
 }
 
 /// `AllStand` for `all_stand`.
-fn verdict(certificate: &SurveyCertificate) -> String {
+pub(super) fn verdict(certificate: &SurveyCertificate) -> String {
     certificate.verdict.split('_').map(capital).collect()
 }
 

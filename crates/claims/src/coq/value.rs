@@ -1,5 +1,7 @@
 //! Numbers, quantities and decimals as Coq reads them.
 
+use crate::number::Decimal;
+
 /// A name with its first letter large.
 pub(super) fn capital(name: &str) -> String {
     let mut letters = name.chars();
@@ -66,17 +68,11 @@ pub(super) fn variable(name: &str) -> &'static str {
 
 /// A decimal as all its digits and a power of ten, `None` for no limit: what the checker has accepted is one.
 pub(super) fn decimal(text: &str, digits: usize) -> Option<(String, i64)> {
-    if text == "inf" {
-        return None;
-    }
-    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
-    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let all = format!("{whole}{part}");
-    let mut all = all.trim_start_matches('0').to_owned();
+    let decimal: Decimal = text.parse().ok()?;
+    let (mut all, mut power) = (decimal.digits().to_owned(), decimal.exponent());
     if all.is_empty() {
         return Some(("0".to_owned(), 0));
     }
-    let mut power = power.parse::<i64>().unwrap_or(0) - part.len() as i64;
     while all.len() > digits && all.ends_with('0') {
         all.pop();
         power += 1;
