@@ -14,13 +14,14 @@ use crate::symbolic::{
 use std::borrow::Borrow;
 use std::ops::{Add, Div, Mul};
 
-/// A number that is positive.
+/// A number that is not negative, or is positive.
 #[derive(Clone, Debug)]
-pub(super) struct Positive(Expression);
+pub(super) struct Signed<const IS_POSITIVE: bool>(Expression);
 
+/// A number that is positive.
+pub(super) type Positive = Signed<true>;
 /// A number that is not negative.
-#[derive(Clone, Debug)]
-pub(super) struct NotNegative(Expression);
+pub(super) type NotNegative = Signed<false>;
 
 /// A number, and how it was made of others.
 #[derive(Clone, Debug)]
@@ -88,8 +89,8 @@ pub(super) struct FromZero<'a> {
     pub relations: &'a Relations,
 }
 
-impl Positive {
-    /// Quantities that a hypothesis says are positive: `0 < beta < pi` of `beta` and of its sine.
+impl<const IS_POSITIVE: bool> Signed<IS_POSITIVE> {
+    /// Quantities that a hypothesis says have this sign: `0 < beta < pi` of `beta` and of its sine.
     pub(super) fn given<const N: usize>(
         d: &mut Derivation,
         hypothesis: &str,
@@ -98,10 +99,12 @@ impl Positive {
         d.assume(hypothesis);
         values.map(|value| Self(Expression::whole(value)))
     }
+}
 
+impl Positive {
     /// A positive integer; for zero, one.
     pub(super) fn int(n: u8) -> Self {
-        Self(Expression::whole(&Symbol::Joint.number().int(i32::from(n.max(1)))))
+        Signed(Expression::whole(&Symbol::Joint.number().int(i32::from(n.max(1)))))
     }
 
     /// Checks that a value is what is positive already, whatever the letters.
@@ -111,7 +114,7 @@ impl Positive {
         words: &str,
         value: impl Borrow<Fraction>,
     ) -> Checked<Self> {
-        self.is_under(d, words, value.borrow(), &Relations::none())
+        self.check(d, format!("{words}: positive"), value.borrow(), &Relations::none())
     }
 
     /// Checks that a value is what is positive already, where each sine and cosine are those of an angle.
@@ -121,18 +124,7 @@ impl Positive {
         words: &str,
         value: impl Borrow<Fraction>,
     ) -> Checked<Self> {
-        self.is_under(d, words, value.borrow(), &Relations::trigonometric())
-    }
-
-    fn is_under(
-        &self,
-        d: &mut Derivation,
-        words: &str,
-        value: &Fraction,
-        relations: &Relations,
-    ) -> Checked<Self> {
-        self.check(d, format!("{words}: positive"), value, relations)?;
-        Ok(Self(Expression::whole(value)))
+        self.check(d, format!("{words}: positive"), value.borrow(), &Relations::trigonometric())
     }
 
     fn check(
@@ -141,8 +133,9 @@ impl Positive {
         words: String,
         value: &Fraction,
         relations: &Relations,
-    ) -> Checked {
-        d.identity_as(words, value, &self.0.value, relations, self.0.formula.clone())
+    ) -> Checked<Self> {
+        d.identity_as(words, value, &self.0.value, relations, self.0.formula.clone())?;
+        Ok(Signed(Expression::whole(value)))
     }
 
     /// Checks that a value is zero at the beginning of a range and has this slope on it.
@@ -160,7 +153,7 @@ impl Positive {
         d.identity(format!("{words} begins with 0"), &start, &zero)?;
         let slope = value.derivative(range.rules);
         self.check(d, format!("and grows: {words} is positive"), &slope, range.relations)?;
-        Ok(Self(Expression::whole(value)))
+        Ok(Signed(Expression::whole(value)))
     }
 
     /// Checks that two values have this product and a positive sum.
@@ -175,19 +168,7 @@ impl Positive {
         let [a, b] = values;
         self.check(d, format!("the product of {words}: positive"), &(a.clone() * b), relations)?;
         sum.check(d, "their sum: positive, so both are".to_owned(), &(a.clone() + b), relations)?;
-        Ok(values.map(|value| Self(Expression::whole(value))))
-    }
-}
-
-impl NotNegative {
-    /// Quantities that a hypothesis says are not negative.
-    pub(super) fn given<const N: usize>(
-        d: &mut Derivation,
-        hypothesis: &str,
-        values: [&Fraction; N],
-    ) -> [Self; N] {
-        d.assume(hypothesis);
-        values.map(|value| Self(Expression::whole(value)))
+        Ok(values.map(|value| Signed(Expression::whole(value))))
     }
 }
 
@@ -197,7 +178,7 @@ macro_rules! operators {
             type Output = $result;
 
             fn $method(self, right: &$right) -> $result {
-                $result(self.0.$method(&right.0))
+                Signed(self.0.$method(&right.0))
             }
         }
     )* };
