@@ -7,13 +7,13 @@
 
 use super::along::landmark;
 use super::asymmetric::{ASYMMETRIC_MOTION, variables};
-use super::{Checked, Derivation, Support, claims, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
 use crate::arch::whole::Forces;
 use crate::certify::{Undecided, between};
-use crate::number::{Angle, DoubleBall, Enclosure, Field, Real, Stumpff, Ternary};
+use crate::number::{Angle, DoubleBall, Enclosure, Field, Real, Stumpff};
 use crate::problem::Landmark;
 use crate::prover::halve::{halve, halves};
 use crate::prover::in_doubles::root_of_many;
@@ -61,26 +61,6 @@ struct BeginEquations {
     half_opening: DoubleBall,
 }
 
-impl EdgeOfStates {
-    fn at<T: Real>(self, half_opening: &T, x: &[T]) -> Option<Asymmetric<T>> {
-        let [thrust, moment, thickness, lower, friction, rest @ ..] = x else { return None };
-        let zero = Angle::zero(thrust);
-        Some(Asymmetric {
-            half_opening: Angle::new(half_opening.clone()),
-            grip: Grip { shear: thrust.int(1), normal: friction.clone() },
-            thickness: thickness.clone(),
-            forces: Forces {
-                thrust: thrust.clone(),
-                moment: moment.clone(),
-                vertical: thrust.int(0),
-            },
-            crown_hinge: zero.clone(),
-            haunch: Angle::new(lower.clone() - thrust),
-            sliding_joint: rest.first().map_or(zero, |joint| Angle::new(joint.clone())),
-        })
-    }
-}
-
 impl Form<DoubleBall> for BeginEquations {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&DoubleBall) -> T, x: &[T]) -> Vec<T> {
         let EdgeOfStates { weight, mode, .. } = self.edge;
@@ -99,6 +79,24 @@ impl Form<DoubleBall> for BeginEquations {
 }
 
 impl EdgeOfStates {
+    fn at<T: Real>(self, half_opening: &T, x: &[T]) -> Option<Asymmetric<T>> {
+        let [thrust, moment, thickness, lower, friction, rest @ ..] = x else { return None };
+        let zero = Angle::zero(thrust);
+        Some(Asymmetric {
+            half_opening: Angle::new(half_opening.clone()),
+            grip: Grip { shear: thrust.int(1), normal: friction.clone() },
+            thickness: thickness.clone(),
+            forces: Forces {
+                thrust: thrust.clone(),
+                moment: moment.clone(),
+                vertical: thrust.int(0),
+            },
+            crown_hinge: zero.clone(),
+            haunch: Angle::new(lower.clone() - thrust),
+            sliding_joint: rest.first().map_or(zero, |joint| Angle::new(joint.clone())),
+        })
+    }
+
     /// The unknowns at T, where the edge ends, and its half opening in degrees, rounded up.
     fn end(self) -> Checked<(Vec<f64>, Rational)> {
         let at = landmark(Landmark::Triple, self.weight)?;
@@ -171,9 +169,7 @@ fn begins(d: &mut Derivation) -> Checked {
         );
         // A hundredth of a degree further it begins no more.
         let late = EdgeOfStates { begins: begins.map(|hundredths| hundredths + 1), ..*edge };
-        d.certain(Support::Balls, words, [None, Some(late)], |twin| {
-            twin.map_or_else(|| decided.clone(), EdgeOfStates::proved).map(|()| Ternary::True)
-        })?;
+        d.known(words, decided, late, EdgeOfStates::proved)?;
     }
     let edge = EdgeOfStates { weight: SelfWeight::Heyman, ..EDGES[0] };
     let at = variables();

@@ -9,10 +9,10 @@ use super::asymmetric_cover::{Directions, ForceRectangle, RECTANGLE, elsewhere, 
 use super::asymmetric_kinds::{KINDS, borne, margin_at};
 use super::letters::ring;
 use super::uniqueness::ONE_THICKNESS;
-use super::{Checked, Derivation, Support, claims, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
-use crate::number::{Angle, Field, Ternary};
+use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 use rayon::prelude::*;
 use std::sync::OnceLock;
@@ -26,13 +26,15 @@ claims! {
          do not exist";
 }
 
+/// What is proved with directions: outside of the rectangle, and in it.
+type DecidedDirections = (Directions, Checked<usize>, Checked<[usize; 2]>);
+
 /// Results for each weight, each decided once.
-fn decided() -> &'static [(Directions, Checked, Checked)] {
-    static DECIDED: OnceLock<Vec<(Directions, Checked, Checked)>> = OnceLock::new();
+fn decided() -> &'static [DecidedDirections] {
+    static DECIDED: OnceLock<Vec<DecidedDirections>> = OnceLock::new();
     DECIDED.get_or_init(|| {
         let both = Directions::ALL.par_iter().map(|directions| {
-            let nowhere = elsewhere(directions.weight, RECTANGLE).map(|_| ());
-            (*directions, nowhere, known(*directions).map(|_| ()))
+            (*directions, elsewhere(directions.weight, RECTANGLE), known(*directions))
         });
         both.collect()
     })
@@ -85,13 +87,7 @@ fn in_balls(d: &mut Derivation) -> Checked {
         );
         // Solutions are beyond a smaller one.
         let smaller = ForceRectangle { vertical: RECTANGLE.vertical / 4, ..RECTANGLE };
-        d.certain(Support::Balls, words, [None, Some(smaller)], |twin| {
-            let proved = twin.map_or_else(
-                || nowhere.clone(),
-                |rectangle| elsewhere(weight, rectangle).map(|_| ()),
-            );
-            proved.map(|()| Ternary::True)
-        })?;
+        d.known(words, nowhere, smaller, |rectangle| elsewhere(weight, rectangle))?;
         let turn = if directions.opening_grows { "from - to +" } else { "from + to -" };
         let words = format!(
             "{weight}: there, in one arch with growing v, the misfit alpha - alpha_Q turns from + to - only, where alpha >= alpha_I; \
@@ -101,11 +97,7 @@ fn in_balls(d: &mut Derivation) -> Checked {
             directions.half_openings[0], directions.half_openings[1]
         );
         let other = Directions { opening_grows: !directions.opening_grows, ..*directions };
-        d.certain(Support::Balls, words, [None, Some(other)], |twin| {
-            let proved =
-                twin.map_or_else(|| near.clone(), |directions| known(directions).map(|_| ()));
-            proved.map(|()| Ternary::True)
-        })?;
+        d.known(words, near, other, known)?;
     }
     Ok(())
 }

@@ -405,6 +405,19 @@ impl Derivation {
         self.decided(support, words.into(), holds(input)?)
     }
 
+    /// Checks a statement in balls whose proof is known, as it takes long; for the false twin it is sought elsewhere.
+    pub(super) fn known<X, T: Clone>(
+        &mut self,
+        words: impl Into<String>,
+        known: &Checked<T>,
+        elsewhere: X,
+        proof: impl FnOnce(X) -> Checked<T>,
+    ) -> Checked {
+        self.certain(Support::Balls, words, [None, Some(elsewhere)], |twin| {
+            twin.map_or_else(|| known.clone(), proof).map(|_| Ternary::True)
+        })
+    }
+
     /// Checks that one number is less than another. Its false twin exchanges them.
     pub fn less(&mut self, words: impl Into<String>, [less, more]: [&Ball; 2]) -> Checked {
         let sides = if self.twin(Twin::Sides) { [more, less] } else { [less, more] };

@@ -18,7 +18,6 @@ use super::curve::{
     ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_THICKNESS, cubic_of,
 };
 use super::domains::{INNER_SLIDING_BEYOND_T, NO_SHOULDER_SLIDING_BEYOND_T};
-use super::landmarks::certain_if;
 use super::letters::ring;
 use super::modes::LEVER;
 use super::rises::{
@@ -28,7 +27,7 @@ use super::rises::{
 use super::states::at_all_states;
 use super::surveys::{CORNERS, RISE};
 use super::uniqueness::ONE_HALF_OPENING;
-use super::{Checked, Derivation, Support, claims, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, statics};
 use crate::certify::between;
@@ -259,9 +258,7 @@ fn haunch(d: &mut Derivation) -> Checked {
     let pieces = DECIDED.get_or_init(|| at_haunches(1)).clone()?;
     let words =
         format!("the three numbers are positive for eta in [1/2500, 39/50], {pieces} pieces");
-    d.certain(Support::Balls, words, [1, -1], |sign| {
-        Ok(certain_if(if sign == 1 { pieces > 0 } else { at_haunches(sign)? > 0 }))
-    })?;
+    d.known(words, &Ok(pieces), -1, at_haunches)?;
     let (least, thin) = (Rational::new(), Rational::from((1, 2500)));
     let joint = Angle::new(number(27, 100));
     d.positive("the cubic (7) at beta = 27/100, delta_M = 0", (&least, &thin), |eta| {
@@ -271,10 +268,8 @@ fn haunch(d: &mut Derivation) -> Checked {
     let (delta, eta, range) = (unit(), between(&least, &thin), Rational::from((27, 100)));
     for (index, name) in ["first", "second", "third"].into_iter().enumerate() {
         let words = format!("the {name} of them, eta <= 1/2500, beta");
-        d.positive(&words, (&least, &range), |joint| {
-            let [a, b, c] = rooms(joint, &delta, &eta, &unit());
-            [a, b, c].into_iter().nth(index).unwrap_or_else(|| joint.int(0))
-        })?;
+        let room = |joint: &Ball| rooms(joint, &delta, &eta, &unit())[index].clone();
+        d.positive(&words, (&least, &range), room)?;
     }
     Ok(())
 }

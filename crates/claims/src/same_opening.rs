@@ -9,10 +9,10 @@ use super::along::moving;
 use super::curve::{
     ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_THICKNESS, cubic_of,
 };
-use super::landmarks::{certain_if, state_of};
+use super::landmarks::state_of;
 use super::letters::ring;
 use super::states::at_all_states;
-use super::{Checked, Derivation, Support, claims, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Ball, DoubleBall, DoubleDoubleBall, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Polynomial, Symbol, along_the_joint};
@@ -200,9 +200,7 @@ fn differences_grow(d: &mut Derivation) -> Checked {
     let words = "d log/d delta_M of eta, h and beta_r grow in size with eta along the states of any \
                  delta_M, eta in [1/2000, 9/10]";
     let words = format!("{words}, {pieces} pieces");
-    d.certain(Support::Balls, words, [1, -1], |sign| {
-        Ok(certain_if(if sign == 1 { pieces > 0 } else { growth(sign)? > 0 }))
-    })?;
+    d.known(words, &Ok(pieces), -1, growth)?;
     let number = |n: i32, m: i32| Ball::enclosing(&Rational::from((n, m)), 128);
     let first = state_of("0.4", "inf", SelfWeight::Heyman)?.thickness;
     let words = "eta > 1/2000 from alpha = 2/5 on, with Heyman's weight and so with any";

@@ -7,7 +7,7 @@ use super::Checked;
 use super::curve::cubic_of;
 use crate::certify::{Undecided, between, cover};
 use crate::number::{Angle, DoubleBall, DoubleDoubleBall, Enclosure, Field};
-use crate::prover::decide::is_positive;
+use crate::prover::decide::{ensure, is_positive};
 use crate::prover::halve::{halve, halves};
 use rug::Rational;
 
@@ -77,6 +77,7 @@ pub(super) fn at_all_states(
     halve((range.clone(), joints()), DEPTH, halves, proof).map_err(|(eta, beta)| {
         Undecided::new(format!("not decided at eta = {eta}, beta = {beta}"))
     })?;
+    ensure(pieces > 0, "no state is met")?;
     Ok(pieces)
 }
 
