@@ -21,7 +21,7 @@ pub(super) use near::{Directions, known};
 pub(super) use wide::elsewhere;
 
 use crate::arch::cycloid;
-use crate::number::{Angle, DoubleBall, Field, Real};
+use crate::number::{Angle, DoubleBall, Real};
 
 /// Range of inclinations `chi` and of vertical forces in which the states are, each a number of 64ths.
 #[derive(Clone, Copy, Debug)]
@@ -101,11 +101,6 @@ fn inner_room<T: Real>(inclination: &Angle<T>, vertical: &T, half_opening: &T) -
     let carried = half_opening.clone() - vertical;
     let shoulder = Angle::new(carried.clone() - cycloid::friction_angle(inclination));
     cycloid::shoulder(&carried, &shoulder, &cycloid::thrust(inclination))
-}
-
-/// Zero.
-fn nothing() -> DoubleBall {
-    DoubleBall::exact(0.0).int(0)
 }
 
 #[cfg(test)]

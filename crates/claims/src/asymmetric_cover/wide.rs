@@ -9,7 +9,7 @@
 //! - **the shoulder opens**: at some half opening that the right angle, the sliding joint or the fit of the hinges says
 //!   to be too small, the line of thrust is outside already, and further on it is so too.
 
-use super::{ForceBox, ForceRectangle, PARTS, Span, nothing};
+use super::{ForceBox, ForceRectangle, Span};
 use crate::arch::asymmetric::Asymmetric;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -22,34 +22,13 @@ use crate::prover::halve::halve;
 /// A box is halved so often at the most.
 const DEPTH: u32 = 40;
 
-/// Range of thrusts.
-#[derive(Clone, Copy, Debug)]
-enum ThrustSpan {
-    /// Thrusts `cos² chi`.
-    Inclined(Span),
-    /// Thrusts themselves, from one on: no inner joint can slide.
-    Large(Span),
-}
-
-impl ThrustSpan {
-    fn span(self) -> Span {
-        match self {
-            Self::Inclined(span) | Self::Large(span) => span,
-        }
-    }
-
-    fn halves(self) -> [Self; 2] {
-        match self {
-            Self::Inclined(span) => span.halves().map(Self::Inclined),
-            Self::Large(span) => span.halves().map(Self::Large),
-        }
-    }
-}
-
 /// A box of thrusts, vertical forces and thicknesses.
 #[derive(Clone, Copy, Debug)]
 struct ForceCell {
-    thrust: ThrustSpan,
+    /// The inclinations `chi` of thrusts `cos² chi`, or thrusts themselves.
+    thrust: Span,
+    /// True of thrusts themselves, from one on: no inner joint can slide.
+    is_large: bool,
     vertical: Span,
     thickness: Span,
 }
@@ -64,7 +43,8 @@ struct MarginJoints {
 
 impl MarginJoints {
     fn new() -> Self {
-        let right = nothing().pi() / nothing().int(2);
+        let zero = DoubleBall::exact(0.0);
+        let right = zero.pi() / zero.int(2);
         let at = |k: i32, parts: i32| Angle::new(right * right.ratio(k, parts));
         Self {
             above: (0..=20).map(|k| at(k, 20)).collect(),
@@ -82,11 +62,9 @@ struct Bodies {
 
 impl Bodies {
     fn new(cell: ForceCell, weight: SelfWeight) -> Self {
-        let zero = nothing();
-        let thrust = match cell.thrust {
-            ThrustSpan::Inclined(span) => cycloid::thrust(&Angle::new(span.ball())),
-            ThrustSpan::Large(span) => span.ball(),
-        };
+        let zero = DoubleBall::exact(0.0);
+        let thrust = cell.thrust.ball();
+        let thrust = if cell.is_large { thrust } else { cycloid::thrust(&Angle::new(thrust)) };
         Self {
             ring: Ring::new(weight, &cell.thickness.ball()),
             grip: Grip { shear: zero, normal: zero.int(1) },
@@ -144,21 +122,17 @@ fn both_ways(
 
 impl ForceCell {
     fn place(self) -> Option<ForceBox> {
-        match self.thrust {
-            ThrustSpan::Inclined(inclination) => {
-                Some(ForceBox { inclination, vertical: self.vertical })
-            }
-            ThrustSpan::Large(_) => None,
-        }
+        let Self { thrust: inclination, vertical, .. } = self;
+        (!self.is_large).then_some(ForceBox { inclination, vertical })
     }
 
     fn is_inside(self, rectangle: ForceRectangle) -> bool {
-        let [least, most] = rectangle.inclinations.map(|n| f64::from(n) / f64::from(PARTS));
-        let largest = f64::from(rectangle.vertical) / f64::from(PARTS);
+        let [inclinations, verticals] =
+            [rectangle.inclinations, [0, rectangle.vertical]].map(Span::of_parts);
         self.place().is_some_and(|place| {
-            least <= place.inclination.low
-                && place.inclination.high <= most
-                && place.vertical.high <= largest
+            inclinations.low <= place.inclination.low
+                && place.inclination.high <= inclinations.high
+                && place.vertical.high <= verticals.high
         })
     }
 
@@ -230,8 +204,7 @@ impl ForceCell {
 
     /// Halves of the box across its longest side; the thickness counts half.
     fn halves(&self) -> Option<[Self; 2]> {
-        let widths =
-            [self.thrust.span().width(), self.vertical.width(), self.thickness.width() / 2.0];
+        let widths = [self.thrust.width(), self.vertical.width(), self.thickness.width() / 2.0];
         let longest = widths.into_iter().fold(0.0, f64::max);
         Some(if widths[0] == longest {
             self.thrust.halves().map(|thrust| Self { thrust, ..*self })
@@ -252,8 +225,9 @@ pub(in super::super) fn elsewhere(
     let joints = MarginJoints::new();
     // All up to the right angle, up to 3/2, and up to 2.
     let [angles, thrusts] = [[0, 104], [64, 96]].map(Span::of_parts);
-    let whole = |thrust| ForceCell {
+    let whole = |(thrust, is_large)| ForceCell {
         thrust,
+        is_large,
         vertical: Span::of_parts([0, 104]),
         thickness: Span::of_parts([0, 128]),
     };
@@ -261,7 +235,7 @@ pub(in super::super) fn elsewhere(
         let is_settled = cell.is_inside(rectangle) || cell.is_empty(weight, &joints);
         is_settled.then_some(()).ok_or(*cell)
     };
-    [ThrustSpan::Inclined(angles), ThrustSpan::Large(thrusts)]
+    [(angles, false), (thrusts, true)]
         .into_iter()
         .map(|thrust| halve(whole(thrust), DEPTH, ForceCell::halves, proof))
         .sum::<Result<usize, ForceCell>>()
