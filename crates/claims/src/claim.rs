@@ -17,7 +17,7 @@ pub struct Claim {
     pub place: &'static str,
     /// Statement that is claimed, as it is printed where it is.
     pub statement: &'static str,
-    decide: Decide,
+    pub(super) decide: Decide,
 }
 
 type Prove = fn(&mut Derivation) -> Checked;
@@ -54,7 +54,7 @@ pub enum Finding {
         /// The number with which it is proved.
         holds_with: String,
         /// A number with which it is refuted, the printed one above all.
-        fails_with: Option<String>,
+        fails_with: String,
     },
     /// The statement is false as printed.
     Misprint {
@@ -83,7 +83,12 @@ pub struct Decision {
 /// where others use it, and its statement.
 macro_rules! claims {
     (@ $kind:ident $id:literal, $place:literal, $decide:expr, $says:literal) => {
-        $crate::claim::row($id, $place, $crate::claim::Decide::$kind($decide), $says)
+        $crate::Claim {
+            id: $id,
+            place: $place,
+            statement: $says,
+            decide: $crate::claim::Decide::$kind($decide),
+        }
     };
     ($($kind:ident($id:literal, $place:literal, $decide:expr) $(as $name:ident)?: $says:literal;)+) => {
         pub(super) const CLAIMS: &[$crate::Claim] =
@@ -95,16 +100,6 @@ macro_rules! claims {
     };
 }
 pub(super) use claims;
-
-/// A row of the table.
-pub(super) const fn row(
-    id: &'static str,
-    place: &'static str,
-    decide: Decide,
-    statement: &'static str,
-) -> Claim {
-    Claim { id, place, statement, decide }
-}
 
 /// The name of a claim, which is the same in every run.
 impl fmt::Debug for Claim {
@@ -140,8 +135,8 @@ impl Claim {
             Decide::Measured(measure) => {
                 let mut bounds = MeasuredBounds::new(&mut derivation);
                 measure(&mut bounds).map(|()| {
-                    let [holds_with, fails] = bounds.texts();
-                    Finding::Measured { holds_with, fails_with: Some(fails) }
+                    let [holds_with, fails_with] = bounds.texts();
+                    Finding::Measured { holds_with, fails_with }
                 })
             }
             Decide::Finds(find) => find(&mut derivation),

@@ -2,7 +2,6 @@
 
 use crate::claims::{Argument, Decision, Finding, Support};
 use crate::words::count;
-use std::iter;
 
 /// Claims with what was found of them.
 #[derive(Debug)]
@@ -43,8 +42,7 @@ pub(super) fn remarks(decision: &Decision) -> Vec<(&'static str, &str)> {
         Ok(Finding::AsPrinted | Finding::Implicit) => Vec::new(),
         Ok(Finding::Equality { at }) => vec![("equal", at)],
         Ok(Finding::Measured { holds_with, fails_with }) => {
-            let fails = fails_with.iter().map(|number| ("does not hold with", number.as_str()));
-            iter::once(("holds with", holds_with.as_str())).chain(fails).collect()
+            vec![("holds with", holds_with), ("does not hold with", fails_with)]
         }
         Ok(Finding::Misprint { counterexample, corrected }) => {
             vec![("as printed", counterexample), ("corrected", corrected)]
