@@ -6,12 +6,12 @@
 //! states at the two ends of a range bound all states between.
 
 use super::Checked;
+use super::landmarks::certain_if;
 use crate::arch::{Configuration, Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::state::{Certify, Outcome, State};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Angle, Ball, Dual, ExactNumber, Field, Real, Ternary};
-use crate::problem::{Arch, Friction};
-use crate::problem::{Landmark, Mode};
+use crate::problem::{Arch, Friction, Landmark, Mode, Quantity};
 use crate::prover::halve::halve;
 use rug::Rational;
 
@@ -52,6 +52,16 @@ pub(super) fn standing(outcome: Outcome) -> Checked<State> {
 /// A landmark's variables.
 pub(super) fn landmark(landmark: Landmark, weight: SelfWeight) -> Checked<Configuration<Ball>> {
     Ok(CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?.configuration().clone())
+}
+
+/// A quantity at a landmark.
+pub(super) fn quantity(
+    landmark: Landmark,
+    weight: SelfWeight,
+    quantity: Quantity,
+) -> Checked<Ball> {
+    let value = CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?.quantity(quantity);
+    value.ok_or_else(|| Undecided::new(format!("{quantity} at {landmark}, {weight}")))
 }
 
 impl CurveStates {
@@ -166,7 +176,7 @@ pub(super) fn on_sliding(
     range: (&Rational, &Rational),
     holds: impl Fn(&CurveStates) -> Ternary,
 ) -> Checked<Ternary> {
-    on_parts(range, &CurveStates::sliding, &holds)
+    on_all(range, &CurveStates::sliding, &|a, b| holds(&a.up_to(b)))
 }
 
 /// Tells whether `holds` is proved on `[low, high]`, where it is asked with the states at the ends of a range
@@ -182,22 +192,9 @@ pub(super) fn on_all(
         Some([[left.clone(), middle.clone()], [middle, right.clone()]])
     };
     let proof = |[left, right]: &[(Rational, CurveStates); 2]| {
-        let holds = holds(&left.1, &right.1);
-        if holds.is_proved() { Ok(()) } else { Err(Ternary::Undecided) }
+        holds(&left.1, &right.1).is_proved().then_some(()).ok_or(())
     };
-    Ok(match halve([at(low)?, at(high)?], DEPTH, halves, proof) {
-        Ok(_) => Ternary::True,
-        Err(open) => open,
-    })
-}
-
-/// Tells whether `holds` is proved on a range: it is asked with all states between those at the ends of each part.
-pub(super) fn on_parts(
-    range: (&Rational, &Rational),
-    state: &dyn Fn(&Rational) -> Checked<CurveStates>,
-    holds: &dyn Fn(&CurveStates) -> Ternary,
-) -> Checked<Ternary> {
-    on_all(range, state, &|a, b| holds(&a.up_to(b)))
+    Ok(certain_if(halve([at(low)?, at(high)?], DEPTH, halves, proof).is_ok()))
 }
 
 /// Multiples of `1/scale` around a value, a little apart from it.

@@ -6,14 +6,14 @@
 //! are certified: [`certify::asymmetric`](crate::certify::asymmetric()).
 
 use super::along::{parsed, standing};
-use super::letters::ring;
+use super::letters::{forces, ring};
 use super::measured::shown;
 use super::uniqueness::ONE_THICKNESS;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
-use crate::arch::whole::{Forces, WholeMotion};
+use crate::arch::whole::WholeMotion;
 use crate::certify::CertifiedAsymmetric;
 use crate::certify::state::Certify;
 use crate::number::{Angle, Ball, Field};
@@ -36,11 +36,7 @@ pub(super) fn variables() -> Asymmetric<Fraction> {
         half_opening: Symbol::half_opening(),
         grip: Grip { shear: one, normal: Symbol::Friction.number() },
         thickness: Symbol::Thickness.number(),
-        forces: Forces {
-            thrust: Symbol::Thrust.number(),
-            moment: Symbol::CrownMoment.number(),
-            vertical: Symbol::CrownShear.number(),
-        },
+        forces: forces(),
         crown_hinge: Angle {
             rad: Symbol::Radius.number(),
             sin: Symbol::F.number(),

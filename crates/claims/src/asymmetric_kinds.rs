@@ -4,7 +4,7 @@
 //! intrados on the left only, and each joint that moves does so upwards, but for the right springing of a horseshoe.
 
 use super::asymmetric::ASYMMETRIC_MOTION;
-use super::letters::ring;
+use super::letters::{forces, ring};
 use super::uniqueness::ONE_THICKNESS;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::joint::Grip;
@@ -24,13 +24,6 @@ claims! {
          image of it, slides outwards at the right springing, touches the extrados at a joint inside the right half and \
          the intrados at a joint of the left half or, at eta = 2, in the crown, and its motion is a sum of those of the \
          three kinds of asymmetric-motion";
-}
-
-/// The forces as letters.
-fn forces() -> Forces<Fraction> {
-    let [thrust, moment, vertical] =
-        [Symbol::Thrust, Symbol::CrownMoment, Symbol::CrownShear].map(Symbol::number);
-    Forces { thrust, moment, vertical }
 }
 
 /// The margin of a joint of the whole arch.

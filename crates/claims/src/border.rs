@@ -125,21 +125,17 @@ fn slope_at_the_border(bounds: &mut MeasuredBounds<'_>) -> Checked {
         let by_opening = -(a + c_slope * eta) / (c - delta * eta / eta.int(6));
         let by_friction = by_opening / friction;
         let by_angle = by_friction.clone() * (eta.int(1) + at.friction.square());
-        let words = [
-            format!("d eta/d mu at B, {weight} weight"),
-            format!("d eta/d phi at B, {weight} weight"),
-        ];
-        for (words, value) in words.iter().zip([by_friction, by_angle]) {
+        for (name, value) in [("mu", by_friction), ("phi", by_angle)] {
+            let words = format!("d eta/d {name} at B, {weight} weight");
             match weight {
-                SelfWeight::Heyman => bounds.at_most((words, &value, ""), 3)?,
-                SelfWeight::Milankovitch => bounds.at_least((words, &value, ""), 3)?,
+                SelfWeight::Heyman => bounds.at_most((&words, &value, ""), 3)?,
+                SelfWeight::Milankovitch => bounds.at_least((&words, &value, ""), 3)?,
             }
         }
     }
-    bounds.d.conclude(
-        "d eta/d mu = -(a' + c' eta)/(c - delta_M eta/6)/mu', finite for both weights.",
-    )?;
-    Ok(())
+    bounds
+        .d
+        .conclude("d eta/d mu = -(a' + c' eta)/(c - delta_M eta/6)/mu', finite for both weights.")
 }
 
 /// Along pure sliding the friction is that of the half opening, whatever the weight.

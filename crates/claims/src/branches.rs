@@ -27,10 +27,11 @@ use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, discrimi
 use rug::Rational;
 
 claims! {
-    AsPrinted("eq-9", "Eq. (9)", opening_root): "A_M of (9), with either sign, is a root of the first cubic (7)";
-    AsPrinted("eq-10", "Eq. (10)", thickness_root):
+    AsPrinted("eq-9", "Eq. (9)", |d| solves(d, ClosedForm::OpeningVariable)):
+        "A_M of (9), with either sign, is a root of the first cubic (7)";
+    AsPrinted("eq-10", "Eq. (10)", |d| solves(d, ClosedForm::Thickness)):
         "eta_M of (10), with either sign, is a root of the second cubic (7)";
-    AsPrinted("eq-11", "Eq. (11)", thrust_root):
+    AsPrinted("eq-11", "Eq. (11)", |d| solves(d, ClosedForm::Thrust)):
         "h_M of (11), with either sign, is a root of the third cubic (7)";
     AsPrinted("eq-12", "Eq. (12)", radicand_is_the_discriminant) as RADICAND_IS_THE_DISCRIMINANT:
         "the radicand of (12) is the discriminant of each cubic (7), up to a negative number and a square";
@@ -52,7 +53,11 @@ fn relations(cube: &Fraction) -> Relations {
 }
 
 /// A closed form in `u` and `k` put into its cubic, with both signs.
-fn solves(d: &mut Derivation, form: ClosedForm, words: &str, nonzero: &str) -> Checked {
+fn solves(d: &mut Derivation, form: ClosedForm) -> Checked {
+    let (words, nonzero) = match form {
+        ClosedForm::OpeningVariable => ("u³, half the bracket", "S, 3g - 2S and u are not zero"),
+        _ => ("u³, the bracket", "S and u are not zero"),
+    };
     let [u, q, k] =
         [Symbol::CubeRoot, Symbol::SquareRoot, Symbol::RootOfMinusThree].map(Symbol::number);
     let at = letters();
@@ -66,19 +71,6 @@ fn solves(d: &mut Derivation, form: ClosedForm, words: &str, nonzero: &str) -> C
         d.identity_under(words, value, k.int(0), &relations(&cube))?;
     }
     Ok(())
-}
-
-fn opening_root(d: &mut Derivation) -> Checked {
-    let nonzero = "S, 3g - 2S and u are not zero";
-    solves(d, ClosedForm::OpeningVariable, "u³, half the bracket", nonzero)
-}
-
-fn thickness_root(d: &mut Derivation) -> Checked {
-    solves(d, ClosedForm::Thickness, "u³, the bracket", "S and u are not zero")
-}
-
-fn thrust_root(d: &mut Derivation) -> Checked {
-    solves(d, ClosedForm::Thrust, "u³, the bracket", "S and u are not zero")
 }
 
 fn radicand_is_the_discriminant(d: &mut Derivation) -> Checked {
@@ -114,16 +106,6 @@ fn radicand_is_the_discriminant(d: &mut Derivation) -> Checked {
     d.conclude(
         "Where (12) is negative, and f + g is not zero, each cubic has only simple real roots.",
     )
-}
-
-/// `beta_sb` is below a right angle.
-fn widest_joint_is_below_a_right_angle(d: &mut Derivation) -> Checked {
-    for weight in SelfWeight::ALL {
-        let joint = widest_joint(weight)?;
-        let right = joint.pi() / joint.int(2);
-        d.less(format!("beta_sb < pi/2, {weight} weight"), [&joint, &right])?;
-    }
-    Ok(())
 }
 
 fn widest_joint(weight: SelfWeight) -> Checked<Ball> {
@@ -183,7 +165,11 @@ fn signs_of_the_branches(d: &mut Derivation) -> Checked {
     let words = "3g - 2S, a sum of positive parts for beta < pi/2";
     d.identity(words, opening_root_factor(&wide), &positive)?;
     d.identity("g - f, a product of positive factors", wide.g - &wide.f, excess * joint.versine())?;
-    widest_joint_is_below_a_right_angle(d)?;
+    for weight in SelfWeight::ALL {
+        let joint = widest_joint(weight)?;
+        let right = joint.pi() / joint.int(2);
+        d.less(format!("beta_sb < pi/2, {weight} weight"), [&joint, &right])?;
+    }
     let (k, free) = (Symbol::RootOfMinusThree.number(), Relations::none());
     let minus_three = free.with(Symbol::RootOfMinusThree, 2, Polynomial::from(-3));
     let words = "2/(1 - k), the second factor of the other sign, is (1 + k)/2, the first of this";

@@ -38,6 +38,8 @@ claims! {
 
 /// The shoulder's distance from the extrados with the crown's pressure point on the extrados.
 fn shoulder_margin(d: &mut Derivation) -> Checked {
+    lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
+    lemmas(d, [&ROTATION_MEETS_SLIDING])?;
     let at = variables();
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &at.thickness);
@@ -54,8 +56,6 @@ fn shoulder_margin(d: &mut Derivation) -> Checked {
 }
 
 fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
-    lemmas(d, [&ROTATION_MEETS_SLIDING])?;
     shoulder_margin(d)?;
     d.theorem(
         "Map.sliding_shoulder_before_T",
@@ -68,8 +68,6 @@ fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Checked {
 }
 
 fn inner_sliding_beyond_t(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
-    lemmas(d, [&ROTATION_MEETS_SLIDING])?;
     shoulder_margin(d)?;
     d.theorem(
         "Mechanisms.shoulder_hinge_keeps_rotation",

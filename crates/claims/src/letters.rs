@@ -1,5 +1,6 @@
 //! The arch as letters, for the claims that speak of all of it.
 
+use crate::arch::whole::Forces;
 use crate::arch::{Configuration, Ring};
 use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Symbol};
@@ -32,4 +33,11 @@ pub(super) fn with(fraction: &Fraction, letters: &[Symbol], value: &Fraction) ->
 pub(super) fn term(n: i32, m: i32, power: usize) -> Fraction {
     let alpha = Symbol::HalfOpening;
     Fraction::from(alpha.polynomial().power(power)) * alpha.number().ratio(n, m)
+}
+
+/// The forces as letters.
+pub(super) fn forces() -> Forces<Fraction> {
+    let [thrust, moment, vertical] =
+        [Symbol::Thrust, Symbol::CrownMoment, Symbol::CrownShear].map(Symbol::number);
+    Forces { thrust, moment, vertical }
 }

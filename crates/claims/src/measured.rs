@@ -2,7 +2,7 @@
 
 use super::{Checked, Derivation, Support};
 use crate::certify::Undecided;
-use crate::number::{Ball, Decimal, Enclosure, Field, Real, Rounded};
+use crate::number::{Ball, Decimal, Enclosure, Rounded};
 
 /// A value with its words and its unit.
 type MeasuredValue<'a> = (&'a str, &'a Ball, &'a str);
@@ -61,11 +61,6 @@ impl<'a> MeasuredBounds<'a> {
     pub(super) fn texts(self) -> [String; 2] {
         [self.hold, self.fail].map(|bounds| bounds.join("; "))
     }
-}
-
-/// An angle in degrees.
-pub(super) fn in_degrees(angle: &Ball) -> Ball {
-    angle.clone() * angle.int(180) / angle.pi()
 }
 
 /// A value to some significant digits.

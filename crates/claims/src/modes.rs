@@ -167,11 +167,7 @@ fn modes_occur(d: &mut Derivation) -> Checked {
             })?;
         }
     }
-    for weight in SelfWeight::ALL {
-        for (words, margin, elsewhere) in room_of_pure_sliding(weight)? {
-            d.above_zero(format!("{words}, {weight}"), [&margin, &elsewhere])?;
-        }
-    }
+    pure_sliding_has_room(d, "")?;
     d.conclude(
         "At its least friction the arch of half opening 1 and thickness 1 has room for the line of thrust \
          that starts in the middle of the crown: L is least at the crown, U at crown or shoulder. It \
@@ -181,8 +177,8 @@ fn modes_occur(d: &mut Derivation) -> Checked {
 
 /// Room that is left to a line of thrust in an arch that only slides: half opening 1, thickness 1, thrust in
 /// the middle of the crown; and the same where it is not positive, with a thrust that pulls, or with the half
-/// opening 3.
-pub(super) fn room_of_pure_sliding(weight: SelfWeight) -> Checked<[(&'static str, Ball, Ball); 4]> {
+/// opening 3. What it is told for stands before the words.
+pub(super) fn pure_sliding_has_room(d: &mut Derivation, of: &str) -> Checked {
     let CurveStates { alpha, thrust: h, .. } = CurveStates::sliding(&Rational::from(1))?;
     let at = Configuration {
         half_opening: alpha,
@@ -195,15 +191,22 @@ pub(super) fn room_of_pure_sliding(weight: SelfWeight) -> Checked<[(&'static str
     };
     let pulled = Configuration { thrust: -h.clone(), ..at.clone() };
     let wide = Configuration { half_opening: Angle::new(h.int(3)), ..at.clone() };
-    let thrust = |at: &Configuration<Ball>| at.thrust.clone();
-    let slope = |at: &Configuration<Ball>| contact::crown_slope(weight, at);
-    let margin =
-        |at: &Configuration<Ball>| contact::extrados_margin_at_shoulder(weight, at, &at.thrust);
-    let normal = |at: &Configuration<Ball>| statics::normal_force(&at.half_opening, &at.thrust);
-    Ok([
-        ("h > 0 at alpha = 1", thrust(&at), thrust(&pulled)),
-        ("dL/d beta > 0 next to the crown, eta = 1", slope(&at), slope(&pulled)),
-        ("U > 0 at the shoulder", margin(&at), margin(&wide)),
-        ("N > 0 there", normal(&at), normal(&wide)),
-    ])
+    type Room = fn(SelfWeight, &Configuration<Ball>) -> Ball;
+    let rooms: [(&str, Room, &Configuration<Ball>); 4] = [
+        ("h > 0 at alpha = 1", |_, at| at.thrust.clone(), &pulled),
+        ("dL/d beta > 0 next to the crown, eta = 1", contact::crown_slope, &pulled),
+        (
+            "U > 0 at the shoulder",
+            |weight, at| contact::extrados_margin_at_shoulder(weight, at, &at.thrust),
+            &wide,
+        ),
+        ("N > 0 there", |_, at| statics::normal_force(&at.half_opening, &at.thrust), &wide),
+    ];
+    for weight in SelfWeight::ALL {
+        for (words, room, elsewhere) in rooms {
+            let rooms = [&room(weight, &at), &room(weight, elsewhere)];
+            d.above_zero(format!("{of}{words}, {weight}"), rooms)?;
+        }
+    }
+    Ok(())
 }

@@ -1,13 +1,13 @@
 //! Values that the text gives to few digits, and frictions that are said to suffice.
 
-use super::along::{CurveStates, landmark};
+use super::along::{self, CurveStates, landmark};
 use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::landmarks::{both, certain_if, semicircle, state_of};
-use super::measured::{MeasuredBounds, in_degrees};
+use super::measured::MeasuredBounds;
 use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::{SelfWeight, Unknown};
-use crate::certify::{CertifiedLandmark, Undecided};
-use crate::number::{Ball, Decimal, Field, Rounded, arctangent};
+use crate::certify::Undecided;
+use crate::number::{Ball, Decimal, Field, Rounded, arctangent, degrees};
 use crate::problem::{Landmark, Mode, Quantity};
 use rug::Rational;
 
@@ -67,12 +67,8 @@ fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Check
 
 fn rounded_values(d: &mut Derivation) -> Checked {
     for (landmark, weight, quantity, texts) in ROUNDED {
-        let point = CertifiedLandmark::new(*landmark, *weight)?;
         let words = format!("{quantity} at {landmark}, {weight}");
-        let value = point
-            .enclosure(128)?
-            .quantity(*quantity)
-            .ok_or_else(|| Undecided::new(words.clone()))?;
+        let value = along::quantity(*landmark, *weight, *quantity)?;
         for text in *texts {
             rounds_to(d, &words, &value, text)?;
         }
@@ -83,7 +79,7 @@ fn rounded_values(d: &mut Derivation) -> Checked {
     for (friction, weight) in
         [(heyman, SelfWeight::Heyman), (milankovitch, SelfWeight::Milankovitch)]
     {
-        let degrees = in_degrees(&arctangent(&friction));
+        let degrees = degrees(&arctangent(&friction));
         for text in ["22", "2e1"] {
             rounds_to(d, &format!("its angle in degrees, {weight} weight,"), &degrees, text)?;
         }
@@ -112,7 +108,7 @@ fn least_friction(
     digits: usize,
 ) -> Checked {
     bounds.at_most((words, friction, ""), digits)?;
-    let degrees = in_degrees(&arctangent(friction));
+    let degrees = degrees(&arctangent(friction));
     bounds.at_most(("its angle", &degrees, "°"), 3)
 }
 

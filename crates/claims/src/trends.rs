@@ -3,11 +3,11 @@
 use super::along::landmark;
 use super::landmarks::both;
 use super::letters::{ring, with};
-use super::measured::{MeasuredBounds, in_degrees};
+use super::measured::MeasuredBounds;
 use super::overturning::{A_FIXES_ALPHA, opening_at};
 use super::{Checked, claims, lemmas};
 use crate::arch::{SelfWeight, overturning, thrust};
-use crate::number::{Angle, Ball, Field};
+use crate::number::{Angle, Ball, Field, degrees};
 use crate::problem::Landmark::OverturningEnd;
 use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
@@ -72,7 +72,7 @@ fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     )?;
     let [heyman, milankovitch] = both(|weight| landmark(OverturningEnd, weight))?;
     let difference = heyman.half_opening.rad - milankovitch.half_opening.rad;
-    let degrees = in_degrees(&difference);
+    let degrees = degrees(&difference);
     let words = "alpha, at the same eta between 1 and 2";
     bounds.at_most((words, &difference, ""), 3)?;
     bounds.at_most(("in degrees", &degrees, "°"), 3)?;
@@ -92,20 +92,12 @@ fn growth(bounds: &mut MeasuredBounds<'_>) -> Checked {
         let slope = opening.partial(Symbol::Thickness);
         slope.evaluate(&Rational::new(), |x| Rational::from(at(x)))
     };
-    let (heyman, milankovitch) = (SelfWeight::Heyman, SelfWeight::Milankovitch);
-    let words = "dA/d eta at eta = 2";
-    bounds.d.equal(
-        format!("{words}, {milankovitch} weight"),
-        &slope(milankovitch),
-        &Rational::new(),
-    )?;
-    bounds.d.equal(
-        format!("{words}, {heyman} weight"),
-        &slope(heyman),
-        &Rational::from((-1, 8)),
-    )?;
+    for (weight, expected) in [(SelfWeight::Milankovitch, (0, 1)), (SelfWeight::Heyman, (-1, 8))] {
+        let words = format!("dA/d eta at eta = 2, {weight} weight");
+        bounds.d.equal(words, &slope(weight), &Rational::from(expected))?;
+    }
     bounds.holds("the slope is vertical at L, milankovitch weight")?;
-    let alpha = landmark(OverturningEnd, heyman)?.half_opening.rad;
+    let alpha = landmark(OverturningEnd, SelfWeight::Heyman)?.half_opening.rad;
     let rise = alpha.int(8) / leverage(&alpha);
     bounds.at_least(("d eta/d alpha at L, heyman weight", &rise, ""), 3)?;
     bounds.d.conclude(
@@ -116,7 +108,7 @@ fn growth(bounds: &mut MeasuredBounds<'_>) -> Checked {
 fn ranges_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     let mut ends = Vec::new();
     for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {
-        let end = in_degrees(&landmark(OverturningEnd, weight)?.half_opening.rad);
+        let end = degrees(&landmark(OverturningEnd, weight)?.half_opening.rad);
         let words = format!("alpha_L, {weight} weight");
         bounds.at_most((&words, &end, "°"), 4)?;
         ends.push(end);

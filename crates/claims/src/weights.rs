@@ -1,6 +1,6 @@
 //! The two self-weights compared at the landmarks.
 
-use super::along::landmark;
+use super::along::{self, landmark};
 use super::curve::STATES_OF_ONE_THICKNESS;
 use super::landmarks::{both, certain_if};
 use super::{Checked, Derivation, Finding, Support, claims, lemmas};
@@ -64,13 +64,8 @@ fn compared(d: &mut Derivation, quantity: Quantity) -> Checked<Finding> {
                 Relation::Higher => [SelfWeight::Heyman, SelfWeight::Milankovitch],
                 _ => [SelfWeight::Milankovitch, SelfWeight::Heyman],
             };
-            let value = |weight| {
-                let point = CertifiedLandmark::new(landmark, weight)?.enclosure(128)?;
-                let value = point.quantity(quantity);
-                value.ok_or_else(|| Undecided::new(words.clone()))
-            };
-            let [less, more] = weights.map(value);
-            d.less(&words, [&less?, &more?])?;
+            let [less, more] = weights.map(|weight| along::quantity(landmark, weight, quantity));
+            d.less(words, [&less?, &more?])?;
         }
     }
     match equalities.is_empty() {
