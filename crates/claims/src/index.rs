@@ -2,11 +2,11 @@
 //! decides it. The sentences are in our own words.
 
 use super::sentence::Sentence;
-use super::sentences;
+use super::sentences::SENTENCES;
 
 /// The index, in the order of the paper.
 pub fn index() -> Vec<Sentence> {
-    [sentences::EQUATIONS, sentences::MAP, sentences::ILLUSTRATION, sentences::CONCLUSIONS].concat()
+    SENTENCES.to_vec()
 }
 
 /// Claims that decide no sentence: the paper does not state them.

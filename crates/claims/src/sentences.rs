@@ -15,8 +15,9 @@ const NOT_READ: &str = "the works that are cited were not at hand";
 /// Reason why sentences on the authors' program are not decided.
 const THEIR_PROGRAM: &str = "it is about the program of the authors";
 
-/// Abstract, section 1 and the equations of section 2.
-pub(super) const EQUATIONS: &[Sentence] = sentences! {
+/// The sentences, in the order of the paper.
+pub(super) const SENTENCES: &[Sentence] = sentences! {
+    // Abstract, section 1 and the equations of section 2.
     "Abstract": "the true weight does not change which modes there are", Claims(&["modes-occur"]);
     "Abstract": "the differences have few physical implications", Opinion;
     "Abstract": "the true weight bears more, so that Heyman's estimates are conservative",
@@ -111,10 +112,8 @@ pub(super) const EQUATIONS: &[Sentence] = sentences! {
             "it is said of a part of (2) to (5) and of (17), (18), three and two among alpha, mu, eta, h and beta_r; \
              one state has fewer of them, at T alone all five",
         );
-};
 
-/// Section 3: the map.
-pub(super) const MAP: &[Sentence] = sentences! {
+    // Section 3: the map.
     "Sec. 3": "eta and mu are a plane into which the states are projected, with alpha implied",
         Claims(&["map-function"]);
     "Sec. 3, Fig. 5": "the maps of the two weights differ little, in detail", Claims(&["weights-slightly"]);
@@ -185,10 +184,8 @@ pub(super) const MAP: &[Sentence] = sentences! {
     "Sec. 3": "slightly wider", Claims(&["weights-slightly"]);
     "Sec. 3": "the dependences on the joints are flatter",
         Open("which dependences, and flatter than which, is not said");
-};
 
-/// Section 4: the states at the landmarks, and the complementarity problem.
-pub(super) const ILLUSTRATION: &[Sentence] = sentences! {
+    // Section 4: the states at the landmarks, and the complementarity problem.
     "Sec. 4": "the program takes either weight at the same cost", Open(THEIR_PROGRAM);
     "Eq. (19)": "conditions on forces and rates at the joints of the discretised arch govern its states",
         Claims(&["stones-sums", "mechanism-fits", "mechanism-limits"]);
@@ -227,10 +224,8 @@ pub(super) const ILLUSTRATION: &[Sentence] = sentences! {
     "Sec. 4": "and along the divide", Claims(&["weights-J-B"]);
     "Sec. 4": "above all from J to B", Claims(&["weights-at-B", "weights-J-B"]);
     "Sec. 4": "where eta is 0.9 to 2", Claims(&["rounded-values"]);
-};
 
-/// Section 5: the conclusions.
-pub(super) const CONCLUSIONS: &[Sentence] = sentences! {
+    // Section 5: the conclusions.
     "Sec. 5": "the deviations become more evident around and above eta_l",
         Claims(&["weights-differences", "weights-J-B"]);
     "Sec. 5": "a friction of about 1.277 prevents [s,r,r]", Claims(&["suffices-T"]);
