@@ -380,6 +380,11 @@ impl Answer {
         }
     }
 
+    /// Tells whether the query could be read; of another only that is told.
+    pub(super) fn is_read(&self) -> bool {
+        !matches!(self.subject, Subject::Query { .. })
+    }
+
     /// The value of a quantity, if there is one.
     pub fn value(&self, quantity: Quantity) -> Option<&Value> {
         let is_least = quantity == Quantity::LeastThickness && !self.subject.is_assessed();

@@ -4,6 +4,7 @@ use serde_json::Value as Json;
 use std::fmt::{Display, Write};
 
 /// Way to find the cells of a column; each may be missing.
+#[derive(Clone, Copy)]
 pub enum Column<R> {
     /// A text.
     Text(fn(&R) -> Option<&str>),

@@ -2,15 +2,13 @@
 
 use super::answer::Answer;
 use super::answers::Answers;
-use super::column::Column::{self, Double, Integer, Made, Shown, Text, Truth};
+use super::column::Column::{self, Double, Made, Shown};
 use super::column::NamedColumn;
 use super::kept::Kept;
 use super::record::{NOTE, Record};
-use super::subject::Subject;
-use super::value::Value;
+use super::value_row::ValueRow;
 use super::words::hexadecimal;
 use crate::problem::Quantity;
-use crate::problem::measures::Circle;
 use std::borrow::Cow;
 use std::fmt::Display;
 
@@ -43,96 +41,44 @@ impl Asked {
             _ => true,
         }
     }
-}
 
-/// An answer in a row, and the quantity of a column where that has one.
-pub(super) struct At<'a> {
-    answer: &'a Answer,
-    quantity: Option<Quantity>,
+    /// The columns of some names, of those that who asks this is told.
+    fn columns<'a>(self, names: &str) -> Vec<NamedColumn<ValueRow<'a>>> {
+        let mut columns = ValueRow::named(names);
+        columns.retain(|(name, _)| self.has(name));
+        columns
+    }
 }
 
 /// A column of a table of arches: its name, its quantity, and how it finds its cells.
 pub(super) struct TableColumn<'a> {
     name: Cow<'static, str>,
     quantity: Option<Quantity>,
-    cell: Column<At<'a>>,
+    cell: Column<ValueRow<'a>>,
 }
 
 /// The arch as it was given.
-pub(super) const fn given<'a>() -> [NamedColumn<At<'a>>; 4] {
-    [
-        ("weight", Text(|at| Some(at.answer.subject.weight()?.name()))),
-        ("half_opening", Text(|at| at.answer.subject.given()[0])),
-        ("friction", Text(|at| at.answer.subject.given()[1])),
-        ("thickness", Text(|at| at.answer.subject.given()[2])),
-    ]
-}
-
-/// The circle at which an arch is measured.
-pub(super) const fn circle<'a>() -> [NamedColumn<At<'a>>; 1] {
-    [("measured_at", Text(|at| at.answer.measured_at.map(Circle::name)))]
-}
+pub(super) const GIVEN: &str = "weight half_opening friction thickness";
 
 /// Given values as numbers; what no double holds is nothing.
-pub(super) const fn doubles<'a>() -> [NamedColumn<At<'a>>; 4] {
-    [
-        ("half_opening_rad", Double(|at| at.answer.subject.doubles().half_opening_rad)),
-        ("half_opening_deg", Double(|at| at.answer.subject.doubles().half_opening_deg)),
-        ("friction_double", Double(|at| at.answer.subject.doubles().friction)),
-        ("thickness_double", Double(|at| at.answer.subject.doubles().thickness)),
-    ]
-}
+pub(super) const DOUBLES: &str =
+    "half_opening_rad half_opening_deg friction_double thickness_double";
 
 /// The verdict and the mode.
-pub(super) const fn verdict<'a>() -> [NamedColumn<At<'a>>; 4] {
-    [
-        ("verdict", Text(|at| Some(at.answer.status.name()).filter(|_| !at.is_query()))),
-        ("can_stand", Truth(|at| at.answer.can_stand)),
-        ("stands", Truth(|at| at.answer.stands)),
-        ("mode", Text(|at| Some(at.answer.modes.first()?.label()))),
-    ]
-}
+pub(super) const VERDICT: &str = "verdict can_stand stands mode";
 
-/// The reason why something stays open, and what may have been meant otherwise.
-const fn reasons<'a>() -> [NamedColumn<At<'a>>; 2] {
-    [
-        ("reason", Made(|at| Some(at.answer.reason().filter(|_| !at.is_query())?.into_owned()))),
-        (NOTE, Text(|at| at.answer.note.as_deref())),
-    ]
-}
-
-/// The line of a query, and why it could not be read.
-const fn query<'a>() -> [NamedColumn<At<'a>>; 2] {
-    [("line", Integer(|at| at.answer.subject.line())), ("error", Text(|at| at.answer.fault()))]
-}
-
-impl At<'_> {
-    fn value(&self) -> Option<&Value> {
-        self.answer.value(self.quantity?)
-    }
-
-    /// The value of the quantity, or a word where it stays open.
-    fn shown(&self) -> Option<&dyn Display> {
-        match self.answer.why_open(self.quantity?) {
-            Some(_) => Some(&"undecided"),
-            None => Some(self.value()?.texts()[0]),
-        }
-    }
-
-    /// Tells whether the answer is to a query that could not be read, of which only that is told.
-    fn is_query(&self) -> bool {
-        matches!(self.answer.subject, Subject::Query { .. })
+/// The value of the quantity, or a word where it stays open.
+fn shown<'r>(at: &'r ValueRow) -> Option<&'r dyn Display> {
+    match at.answer.why_open(at.quantity?) {
+        Some(_) => Some(&"undecided"),
+        None => Some(at.value?.texts()[0]),
     }
 }
 
 /// The fields of an answer in some columns.
-pub(super) fn fields<'a, const N: usize>(
-    columns: [NamedColumn<At<'a>>; N],
-    answer: &'a Answer,
-    asked: Asked,
-) -> Record {
-    let (at, mut fields) = (At { answer, quantity: None }, Record::default());
-    fields.add_found(columns.iter().filter(|(name, _)| asked.has(name)), &at);
+pub(super) fn fields(names: &str, answer: &Answer, asked: Asked) -> Record {
+    let mut fields = Record::default();
+    fields.add_found(&asked.columns(names), &ValueRow::at(answer, None));
     fields
 }
 
@@ -164,21 +110,22 @@ impl Beside {
 impl<'a> TableColumn<'a> {
     /// The columns of a table for a person.
     pub(super) fn told(report: &Answers) -> Vec<Self> {
-        let asked = Asked::in_table(report);
-        let circle = report.are_measured().then(circle).into_iter().flatten();
-        let named = given().into_iter().chain(circle).chain(verdict());
-        let mut all: Vec<Self> =
-            named.filter(|(name, _)| asked.has(name)).map(Self::plain).collect();
+        let circle = report.are_measured().then_some("measured_at");
+        let names = [GIVEN].into_iter().chain(circle).chain([VERDICT]);
+        let mut all: Vec<Self> = names.flat_map(|names| Self::named(report, names)).collect();
         let told = [Quantity::AsymmetricThickness].into_iter().chain(report.quantities.clone());
-        all.extend(told.map(|of| Self::of(of, "", Shown(At::shown))));
+        all.extend(told.map(|of| Self::of(of, "", Shown(shown))));
         if report.quantities.iter().any(|quantity| quantity.joint().is_some()) {
-            let limits = |at: &At| {
+            let limits = |at: &ValueRow| {
                 let limits = at.answer.values.iter().filter_map(|(_, value)| value.limited_by);
                 Some(limits.collect::<Vec<_>>().join("; "))
             };
             all.push(Self::plain(("limited_by", Made(limits))));
         }
-        all.extend(reasons().map(Self::plain));
+        let reason =
+            |at: &ValueRow| Some(at.answer.reason().filter(|_| at.answer.is_read())?.into_owned());
+        all.push(Self::plain(("reason", Made(reason))));
+        all.extend(Self::named(report, NOTE));
         all
     }
 
@@ -186,17 +133,15 @@ impl<'a> TableColumn<'a> {
     pub(super) fn all(report: &Answers, with_lines: bool, beside: Beside) -> Vec<Self> {
         let mut all = Self::told(report);
         if with_lines {
-            all.extend(query().map(Self::plain));
+            all.extend(Self::named(report, "line error"));
         }
         if beside.doubles {
-            let asked = Asked::in_table(report);
-            let given = doubles().into_iter().filter(|(name, _)| asked.has(name));
-            all.extend(given.map(Self::plain));
+            all.extend(Self::named(report, DOUBLES));
         }
         if report.are_many() && (with_lines || report.have_doubles()) {
             for &of in &report.quantities {
-                let double = Self::of(of, "_double", Double(|at| Some(at.value()?.double)));
-                let hex = |at: &At| Some(hexadecimal(at.value()?.double));
+                let double = Self::of(of, "_double", Double(|at| Some(at.value?.double)));
+                let hex = |at: &ValueRow| Some(hexadecimal(at.value?.double));
                 all.extend(beside.doubles.then_some(double));
                 all.extend(beside.hex.then(|| Self::of(of, "_hex", Made(hex))));
             }
@@ -204,11 +149,16 @@ impl<'a> TableColumn<'a> {
         all
     }
 
-    fn plain((name, cell): NamedColumn<At<'a>>) -> Self {
+    /// The columns of some names, of those that the table has.
+    fn named(report: &Answers, names: &str) -> impl Iterator<Item = Self> {
+        Asked::in_table(report).columns(names).into_iter().map(Self::plain)
+    }
+
+    fn plain((name, cell): NamedColumn<ValueRow<'a>>) -> Self {
         Self { name: name.into(), quantity: None, cell }
     }
 
-    fn of(quantity: Quantity, end: &str, cell: Column<At<'a>>) -> Self {
+    fn of(quantity: Quantity, end: &str, cell: Column<ValueRow<'a>>) -> Self {
         let name = match end {
             "" => quantity.name().into(),
             end => format!("{}{end}", quantity.name()).into(),
@@ -223,12 +173,12 @@ impl<'a> TableColumn<'a> {
 
     /// Writes the cell of an answer behind a text.
     pub(super) fn write(&self, answer: &'a Answer, text: &mut String) {
-        self.cell.write(&At { answer, quantity: self.quantity }, text);
+        self.cell.write(&ValueRow::at(answer, self.quantity), text);
     }
 
     /// The cells of an answer.
     pub(super) fn texts(columns: &[Self], answer: &'a Answer) -> impl Iterator<Item = String> {
-        let text = move |column: &Self| column.cell.text(&At { answer, quantity: column.quantity });
+        let text = move |column: &Self| column.cell.text(&ValueRow::at(answer, column.quantity));
         columns.iter().map(text)
     }
 }

@@ -5,7 +5,6 @@
 
 use super::answer::Answer;
 use super::answers::{Answers, TOOL};
-use super::columns::{self, Asked};
 use super::record::Record;
 use super::subject::Subject;
 use super::value_row::ValueRow;
@@ -49,13 +48,9 @@ fn constant(row: &ValueRow) -> Record {
 fn proof(answer: &Answer) -> Record {
     let mut fields = owner(&answer.subject);
     if matches!(answer.subject, Subject::Arch { .. } | Subject::Sought { .. }) {
-        let asked = Asked { state: true, assessment: true };
-        let given = answer.subject.given().map(Into::into);
-        fields.append(Record::named("half_opening friction thickness", given));
-        fields.append(columns::fields(columns::doubles(), answer, asked));
-        fields.add("can_stand", answer.can_stand);
-        fields.add("stands", answer.stands);
-        fields.add("mode", answer.modes.first().map(|mode| mode.label()));
+        let names = "half_opening friction thickness half_opening_rad half_opening_deg \
+                     friction_double thickness_double can_stand stands mode";
+        fields.add_found(&ValueRow::named(names), &ValueRow::at(answer, None));
     }
     fields.add("verdict", answer.status.name());
     fields.add("reason", answer.status.reason());

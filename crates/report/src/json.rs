@@ -4,7 +4,7 @@
 
 use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
-use super::columns::{self, Asked};
+use super::columns::{self, Asked, DOUBLES, GIVEN, VERDICT};
 use super::document::document;
 use super::find;
 use super::record::Record;
@@ -95,12 +95,10 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Record {
     if let Some(asked) = &answer.asked {
         fields.add_record("asked", Some(asked.fields()));
     }
-    fields.append(columns::fields(columns::given(), answer, asked));
-    if report.are_measured() {
-        fields.append(columns::fields(columns::circle(), answer, asked));
+    let circle = report.are_measured().then_some("measured_at");
+    for names in [GIVEN].into_iter().chain(circle).chain([DOUBLES, VERDICT]) {
+        fields.append(columns::fields(names, answer, asked));
     }
-    fields.append(columns::fields(columns::doubles(), answer, asked));
-    fields.append(columns::fields(columns::verdict(), answer, asked));
     let figure = |value: Option<&Value>| Some(figure(value?, report.have_doubles()));
     let asymmetric = Quantity::AsymmetricThickness;
     fields.add_record(asymmetric.name(), figure(answer.value(asymmetric)));

@@ -1,4 +1,5 @@
-//! A value of an answer as a row: in Parquet, in CSV of landmarks, in the document that lists each value.
+//! A value of an answer as a row: in Parquet, in CSV of landmarks, in the document that lists each value; and the answer
+//! itself, whose columns JSON and tables of arches share.
 
 use super::answer::Answer;
 use super::column::Column::{Double, Integer, Made, Shown, Text, Truth};
@@ -6,8 +7,10 @@ use super::column::NamedColumn;
 use super::value::Value;
 use super::words::labels;
 use crate::problem::Quantity;
+use crate::problem::measures::Circle;
 
-/// A value and its answer.
+/// A value and its answer; without a value it is the answer.
+#[derive(Clone, Copy)]
 pub(super) struct ValueRow<'a> {
     pub answer: &'a Answer,
     pub quantity: Option<Quantity>,
@@ -47,20 +50,30 @@ impl<'a> ValueRow<'a> {
         ("certificate_sha256", Text(|row| Some(&row.answer.certificate.as_ref().ok()?.sha256))),
     ];
 
-    /// The modes that meet at a landmark.
-    const MODES: NamedColumn<Self> =
-        ("modes", Made(|row| Some(labels(&row.answer.modes).join(" "))));
+    /// The columns of an answer that Parquet has not: the modes that meet at a landmark, the circle at which an arch is
+    /// measured, the verdict on a query that could be read, and why it could not.
+    const OTHERS: [NamedColumn<Self>; 4] = [
+        ("modes", Made(|row| Some(labels(&row.answer.modes).join(" ")))),
+        ("measured_at", Text(|row| row.answer.measured_at.map(Circle::name))),
+        ("verdict", Text(|row| Some(row.answer.status.name()).filter(|_| row.answer.is_read()))),
+        ("error", Text(|row| row.answer.fault())),
+    ];
 
     /// The columns of some names, which are given in one text, in its order.
     pub(super) fn named(names: &str) -> Vec<NamedColumn<Self>> {
-        let all = || Self::COLUMNS.into_iter().chain([Self::MODES]);
-        names.split(' ').filter_map(|name| all().find(|(of, _)| *of == name)).collect()
+        let all = || Self::COLUMNS.iter().chain(&Self::OTHERS);
+        names.split(' ').filter_map(|name| all().find(|(of, _)| *of == name)).copied().collect()
+    }
+
+    /// An answer at a quantity, where that is told of it.
+    pub(super) fn at(answer: &'a Answer, quantity: Option<Quantity>) -> Self {
+        Self { answer, quantity, value: quantity.and_then(|of| answer.value(of)) }
     }
 
     /// The rows of an answer: one without a value where it has none.
     pub(super) fn all(answer: &'a Answer) -> Vec<Self> {
         if answer.values.is_empty() {
-            return vec![Self { answer, quantity: None, value: None }];
+            return vec![Self::at(answer, None)];
         }
         let row = |(quantity, value): &'a (Quantity, Value)| Self {
             answer,
