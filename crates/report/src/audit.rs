@@ -1,7 +1,6 @@
 //! Results of `couplet audit`: a table for a person, CSV, and JSON, `couplet.audit/2`, in which fields may be
 //! added and none changes its meaning.
 
-use super::format::Content;
 use super::record::Record;
 use super::reported::Reported;
 use super::tabular::Tabular;
@@ -47,10 +46,6 @@ fn compared(entry: &Comparison) -> Record {
 }
 
 impl Reported for Audit {
-    fn content() -> Content {
-        Content::RECORDS
-    }
-
     fn records(&self) -> Vec<Record> {
         let mut record = Record::of("couplet.audit/2");
         record.say(

@@ -1,6 +1,5 @@
 //! Solutions of the complementarity problem (19) of an arch, `couplet.complementarity/1`.
 
-use super::format::Content;
 use super::jointed;
 use super::programme::{self, AtThickness};
 use super::record::{Record, Symbol};
@@ -185,10 +184,6 @@ impl<'a> Solution<'a> {
 }
 
 impl Reported for ComplementarityArch {
-    fn content() -> Content {
-        Content::RECORDS
-    }
-
     fn records(&self) -> Vec<Record> {
         let mut record = Record::of("couplet.complementarity/1");
         let extent = match &self.found {

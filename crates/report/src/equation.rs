@@ -1,6 +1,5 @@
 //! Equations of the paper, `couplet.equation/1`.
 
-use super::format::Content;
 use super::record::Record;
 use super::reported::Reported;
 use super::tabular::Tabular;
@@ -57,10 +56,6 @@ fn between([lower, upper]: &[Decimal; 2]) -> String {
 }
 
 impl Reported for EvaluatedEquation {
-    fn content() -> Content {
-        Content::RECORDS
-    }
-
     fn records(&self) -> Vec<Record> {
         let mut record = Record::of("couplet.equation/1");
         let given = self.given.iter().map(|(of, text)| format!("{} = {text}", of.name()));

@@ -13,10 +13,13 @@ use std::sync::Arc;
 
 /// A result that makes records, from which its formats are written.
 pub trait Reported {
-    /// The formats in which it is written, the usual one first.
+    /// The formats in which it is written, the usual one first: those of records with rows, where there are no others.
     fn content() -> Content
     where
-        Self: Sized;
+        Self: Sized,
+    {
+        Content::RECORDS
+    }
 
     /// Records of the result: one is an object in JSON, several are a list.
     fn records(&self) -> Vec<Record>;

@@ -1,6 +1,5 @@
 //! All arches of a question with ranges, and what is proved of them: `couplet.survey/1`.
 
-use super::format::Content;
 use super::record::Record;
 use super::reported::Reported;
 use super::tabular::Tabular;
@@ -238,10 +237,6 @@ const fn can_stand(sought: Option<Sought>) -> [&'static str; 3] {
 }
 
 impl Reported for SurveyedArches {
-    fn content() -> Content {
-        Content::RECORDS
-    }
-
     fn records(&self) -> Vec<Record> {
         let mut record = Record::of(SCHEMA);
         say(self, &mut record);

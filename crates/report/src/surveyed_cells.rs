@@ -2,7 +2,6 @@
 //!
 //! All boxes have one extent in what is given, so that their numbers are their shares of the whole.
 
-use super::format::Content;
 use super::record::Record;
 use super::reported::Reported;
 use super::survey::MEANING;
@@ -103,10 +102,6 @@ impl SurveyedCells {
 }
 
 impl Reported for SurveyedCells {
-    fn content() -> Content {
-        Content::RECORDS
-    }
-
     fn records(&self) -> Vec<Record> {
         let mut record = Record::of("couplet.cells/1");
         self.say(&mut record);

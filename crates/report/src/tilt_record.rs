@@ -1,6 +1,5 @@
 //! The record of an arch under a horizontal acceleration, `couplet.tilt/2`.
 
-use super::format::Content;
 use super::record::Record;
 use super::reported::Reported;
 use super::sizes::Sizes;
@@ -12,10 +11,6 @@ use crate::problem::asymmetric_region::MAY_MOVE;
 use couplet_stones::LargestTilt;
 
 impl Reported for TiltedArch {
-    fn content() -> Content {
-        Content::RECORDS
-    }
-
     fn records(&self) -> Vec<Record> {
         let mut record = Record::of("couplet.tilt/2");
         say(self, &mut record);

@@ -5,7 +5,7 @@ use crate::atlas::Curve;
 use crate::number::Rounded;
 use crate::problem::Quantity;
 use crate::report::words::model;
-use crate::report::{Content, Record, Reported, Tabular};
+use crate::report::{Record, Reported, Tabular};
 
 /// A point of a curve.
 #[derive(Debug)]
@@ -37,10 +37,6 @@ impl MapPoint {
 }
 
 impl Reported for MapPoint {
-    fn content() -> Content {
-        Content::RECORDS
-    }
-
     fn records(&self) -> Vec<Record> {
         let mut record = self.named();
         let parameter = self.curve.parameter().name().replace('_', " ");
