@@ -2,7 +2,9 @@
 
 use super::answers::Answers;
 use super::columns::Beside;
+use super::csv::{CsvRows, RowsAtOnce};
 use super::format::{Content, Format};
+use super::json::JsonLines;
 use super::paper::PaperTable;
 use super::record::Record;
 use super::reported::{Reported, unsupported};
@@ -14,16 +16,17 @@ use super::{
 use std::io;
 
 /// Opens a file of arches that come one after the other; a table has columns beside what is asked and told.
-pub fn open_rows(answers: Answers, format: &Format, beside: Beside) -> io::Result<Box<dyn Rows>> {
-    match format.name {
-        "csv" => csv::rows(answers, beside, Separated::Comma),
-        "csv2" => csv::rows(answers, beside, Separated::Semicolon),
-        "latex" => csv::rows_at_once(answers, beside, PaperTable::latex),
-        "markdown" => csv::rows_at_once(answers, beside, PaperTable::markdown),
-        "jsonl" => json::lines(answers),
-        "parquet" => parquet::rows(answers),
-        _ => unsupported(),
-    }
+pub fn open_rows(report: Answers, format: &Format, beside: Beside) -> io::Result<Box<dyn Rows>> {
+    let rows = Vec::new();
+    Ok(match format.name {
+        "csv" => Box::new(CsvRows { report, beside, separated: Separated::Comma }),
+        "csv2" => Box::new(CsvRows { report, beside, separated: Separated::Semicolon }),
+        "latex" => Box::new(RowsAtOnce { report, beside, rows, write: PaperTable::latex }),
+        "markdown" => Box::new(RowsAtOnce { report, beside, rows, write: PaperTable::markdown }),
+        "jsonl" => Box::new(JsonLines(report)),
+        "parquet" => parquet::rows(report)?,
+        _ => return unsupported(),
+    })
 }
 
 impl Reported for Answers {

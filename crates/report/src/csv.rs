@@ -27,24 +27,6 @@ pub(super) fn answers(report: &Answers) -> Tabular {
     }
 }
 
-/// Arches as they come, each with the line of its query.
-pub(super) fn rows(
-    report: Answers,
-    beside: Beside,
-    separated: Separated,
-) -> io::Result<Box<dyn Rows>> {
-    Ok(Box::new(CsvRows { report, beside, separated }))
-}
-
-/// Arches of which a table for a paper is made at the end.
-pub(super) fn rows_at_once(
-    report: Answers,
-    beside: Beside,
-    write: fn(&PaperTable, &mut dyn io::Write) -> io::Result<()>,
-) -> io::Result<Box<dyn Rows>> {
-    Ok(Box::new(RowsAtOnce { report, beside, rows: Vec::new(), has_errors: false, write }))
-}
-
 /// A row for each value that is proved.
 fn constants(report: &Answers, names: &str) -> Tabular {
     let rows = report.list.iter().flat_map(ValueRow::all).filter(|row| row.value.is_some());
@@ -69,23 +51,23 @@ fn finding(answer: &Answer) -> Record {
     })
 }
 
-struct CsvRows {
-    report: Answers,
-    beside: Beside,
-    separated: Separated,
+/// Arches as they come, each with the line of its query.
+pub(super) struct CsvRows {
+    pub report: Answers,
+    pub beside: Beside,
+    pub separated: Separated,
 }
 
-struct RowsAtOnce {
-    report: Answers,
-    beside: Beside,
-    rows: Vec<Vec<String>>,
-    has_errors: bool,
-    write: fn(&PaperTable, &mut dyn io::Write) -> io::Result<()>,
+/// Arches of which a table for a paper is made at the end.
+pub(super) struct RowsAtOnce {
+    pub report: Answers,
+    pub beside: Beside,
+    pub rows: Vec<Vec<String>>,
+    pub write: fn(&PaperTable, &mut dyn io::Write) -> io::Result<()>,
 }
 
 impl Rows for RowsAtOnce {
     fn group(&mut self, answers: Vec<Answer>) -> io::Result<Vec<u8>> {
-        self.has_errors |= answers.iter().any(|answer| answer.fault().is_some());
         let columns = TableColumn::all(&self.report, true, self.beside);
         self.rows.par_extend(answers.par_iter().map(|of| cells(&self.report, &columns, of)));
         Ok(Vec::new())
@@ -95,9 +77,11 @@ impl Rows for RowsAtOnce {
         let header = header(&self.report, &TableColumn::all(&self.report, true, self.beside));
         let mut table = Tabular { header, rows: self.rows };
         // Lines of the input tell where an error is.
-        if !self.has_errors {
-            let line = table.header.iter().rposition(|name| name == "line");
-            line.into_iter().for_each(|k| table.rows.iter_mut().for_each(|row| row[k].clear()));
+        let place = |of: &str| table.header.iter().rposition(|name| name == of);
+        if let [Some(line), Some(error)] = ["line", "error"].map(place)
+            && table.rows.iter().all(|row| row[error].is_empty())
+        {
+            table.rows.iter_mut().for_each(|row| row[line].clear());
         }
         let mut bytes = Vec::new();
         (self.write)(&PaperTable::from(&table.without_empty()), &mut bytes)?;
@@ -137,6 +121,11 @@ impl Rows for CsvRows {
 }
 
 /// One line.
-pub(super) fn line(cells: Vec<String>) -> io::Result<Vec<u8>> {
+pub(super) fn line(cells: impl IntoIterator<Item: AsRef<str>>) -> io::Result<Vec<u8>> {
     Separated::Comma.lines(|lines| lines.all(cells))
+}
+
+/// The line of a record in columns, whose names are given in one text.
+pub(super) fn row(names: &str, record: &Record) -> io::Result<Vec<u8>> {
+    line(names.split(' ').map(|name| record.text(name)))
 }

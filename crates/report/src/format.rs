@@ -16,8 +16,6 @@ impl Content {
     pub const ROWS: Self = Self(&["csv", "csv2", "jsonl", "parquet", "latex", "markdown"]);
     /// Other people's results: all of them in summary, or each as it comes.
     pub const JUDGED: Self = Self(&["table", "json", "csv", "jsonl"]);
-    /// Other people's verdicts on assemblies.
-    pub(super) const VERDICTS: Self = Self(&["table", "csv"]);
     /// Arches that were drawn from a seed.
     pub const SAMPLES: Self = Self(&["csv", "jsonl"]);
     /// Assemblies of stones: with their answers, or the bodies alone, a file each in a folder.

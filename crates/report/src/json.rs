@@ -36,11 +36,6 @@ pub(super) fn records(report: &Answers) -> Vec<Record> {
     }
 }
 
-/// Arches as they come, each on one line.
-pub(super) fn lines(report: Answers) -> io::Result<Box<dyn Rows>> {
-    Ok(Box::new(JsonLines(report)))
-}
-
 /// Writes a document for a program, which a person can read too; texts may be those of other people.
 pub(super) fn write(document: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
     out.write_all(&escaped(serde_json::to_string_pretty(document)?))
@@ -61,7 +56,8 @@ fn escaped(json: String) -> Vec<u8> {
     escaped.unwrap_or(json).into_bytes()
 }
 
-struct JsonLines(Answers);
+/// Arches as they come, each on one line.
+pub(super) struct JsonLines(pub Answers);
 
 impl Rows for JsonLines {
     fn group(&mut self, answers: Vec<Answer>) -> io::Result<Vec<u8>> {

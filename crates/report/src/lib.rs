@@ -103,7 +103,7 @@ pub use programme::{AtThickness, ProgrammeFound};
 pub use record::{Record, Symbol};
 pub use reported::Reported;
 pub use rows::Rows;
-pub use sampled::SampledLines;
+pub use sampled::{sampled_header, sampled_row};
 pub use sizes::Sizes;
 pub use subject::Subject;
 pub use survey::{MEANING, MeasureAlone, SurveyedArches};

@@ -51,46 +51,11 @@ impl AtThickness {
         matches!(&self.found, Ok(ProgrammeFound::At(Programme::Zero | Programme::Idle)))
     }
 
-    fn outcome(&self) -> &'static str {
-        match &self.found {
-            Ok(ProgrammeFound::At(Programme::NoRates)) => "no_rates",
-            Ok(ProgrammeFound::At(Programme::NothingAdmissible)) => "nothing_admissible",
-            Ok(ProgrammeFound::At(Programme::Zero)) => "zero",
-            Ok(ProgrammeFound::At(Programme::Idle)) => "zero_by_the_letter",
-            Ok(ProgrammeFound::At(Programme::Least { .. })) => "positive",
-            Ok(ProgrammeFound::EveryThicknessStands) => "every_thickness_stands",
-            Ok(ProgrammeFound::NoThicknessStands) => "no_thickness_stands",
-            Err(_) => "undecided",
-        }
-    }
-
     /// Result in words.
     fn words(&self) -> Vec<String> {
-        let complete = "complete for these joints: all pairs of conditions are looked at, in balls";
-        let words: &[&str] = match &self.found {
+        let words = match &self.found {
             Err(undecided) => return vec![undecided.to_string()],
-            Ok(ProgrammeFound::EveryThicknessStands) => {
-                &["there is none, proved: every thickness up to 2 stands"]
-            }
-            Ok(ProgrammeFound::NoThicknessStands) => {
-                &["there is none, proved: no thickness up to 2 stands"]
-            }
-            Ok(ProgrammeFound::At(Programme::NoRates)) => &[
-                "no rates fit: (19) has no solution at this thickness",
-                "proved: there is a direction in which each motion of a joint points, in balls",
-            ],
-            Ok(ProgrammeFound::At(Programme::NothingAdmissible)) => {
-                &["nothing is admissible at these joints, proved", complete]
-            }
-            Ok(ProgrammeFound::At(Programme::Zero)) => &[
-                "least value 0, exactly",
-                "proved: (19) has a solution there, an admissible state with positive rates that fit",
-            ],
-            Ok(ProgrammeFound::At(Programme::Idle)) => &IDLE,
-            Ok(ProgrammeFound::At(Programme::Least { .. })) => &[
-                "positive, proved: at these joints (19) has no solution at this thickness",
-                complete,
-            ],
+            Ok(found) => found.told().1,
         };
         let value = self.value().map(|value| match value {
             Ok(value) => format!("least value {}", value.value),
@@ -100,6 +65,43 @@ impl AtThickness {
     }
 }
 
+impl ProgrammeFound {
+    /// Outcome in a word, and in lines.
+    fn told(&self) -> (&'static str, &'static [&'static str]) {
+        match self {
+            Self::EveryThicknessStands => (
+                "every_thickness_stands",
+                &["there is none, proved: every thickness up to 2 stands"],
+            ),
+            Self::NoThicknessStands => {
+                ("no_thickness_stands", &["there is none, proved: no thickness up to 2 stands"])
+            }
+            Self::At(Programme::NoRates) => ("no_rates", &NO_RATES),
+            Self::At(Programme::NothingAdmissible) => {
+                ("nothing_admissible", &["nothing is admissible at these joints, proved", COMPLETE])
+            }
+            Self::At(Programme::Zero) => ("zero", &ZERO),
+            Self::At(Programme::Idle) => ("zero_by_the_letter", &IDLE),
+            Self::At(Programme::Least { .. }) => ("positive", &POSITIVE),
+        }
+    }
+}
+
+/// How it is known that there is nothing else.
+const COMPLETE: &str = "complete for these joints: all pairs of conditions are looked at, in balls";
+/// Words where no rates fit.
+const NO_RATES: [&str; 2] = [
+    "no rates fit: (19) has no solution at this thickness",
+    "proved: there is a direction in which each motion of a joint points, in balls",
+];
+/// Words where the programme is zero.
+const ZERO: [&str; 2] = [
+    "least value 0, exactly",
+    "proved: (19) has a solution there, an admissible state with positive rates that fit",
+];
+/// Words where it is positive.
+const POSITIVE: [&str; 2] =
+    ["positive, proved: at these joints (19) has no solution at this thickness", COMPLETE];
 /// Words where a joint bears nothing.
 const IDLE: [&str; 3] = [
     "least value 0 by the letter, proved: in an admissible state a joint bears nothing, and its two",
@@ -133,7 +135,8 @@ pub(super) fn record(at: &AtThickness) -> Record {
     record.add_bounds("least_thickness", at.named.as_ref());
     record.add("extent", jointed::extent(at.extent));
     record.add("stones", at.stones);
-    record.add("outcome", at.outcome());
+    let outcome = at.found.as_ref().map_or("undecided", |found| found.told().0);
+    record.add("outcome", outcome);
     record.add("reason", at.found.as_ref().err().map(|open| open.reason.to_string()));
     record.add_rounded("least_value", at.value().and_then(Result::ok).as_ref());
     let lower = match at.value() {

@@ -7,52 +7,29 @@ use super::{csv, json};
 use crate::strategies::Sample;
 use std::io;
 
-/// Writers of drawn arches.
-#[derive(Clone, Copy, Debug)]
-pub struct SampledLines {
-    /// The header.
-    pub header: fn() -> io::Result<Vec<u8>>,
-    /// Writer of one arch, with its number.
-    pub row: fn(u64, &Sample) -> io::Result<Vec<u8>>,
-}
-
 /// The names of the fields.
 const NAMES: &str =
     "id weight half_opening friction half_opening_rad half_opening_deg friction_double family";
 
-impl SampledLines {
-    /// CSV or JSON lines; arches that are drawn have no other format.
-    pub fn of(format: &Format) -> Option<Self> {
-        match format.name {
-            "csv" => Some(CSV),
-            "jsonl" => Some(JSON_LINES),
-            _ => None,
-        }
-    }
+/// The header, which objects have not.
+pub fn sampled_header(format: &Format) -> io::Result<Vec<u8>> {
+    if format.name == "csv" { csv::line(NAMES.split(' ')) } else { Ok(Vec::new()) }
 }
 
-/// A table.
-const CSV: SampledLines = SampledLines {
-    header: || csv::line(NAMES.split(' ').map(str::to_owned).collect()),
-    row: |id, sample| {
-        let mut row = fields(id, sample);
+/// One arch, with its number: a line of a table, or an object.
+pub fn sampled_row(format: &Format, id: u64, sample: &Sample) -> io::Result<Vec<u8>> {
+    let mut fields = fields(id, sample);
+    if format.name == "csv" {
         if !sample.arch.is_limited() {
             // For infinity JSON has no number.
-            row.add("friction_double", "inf");
+            fields.add("friction_double", "inf");
         }
-        csv::line(NAMES.split(' ').map(|name| row.text(name)).collect())
-    },
-};
-
-/// JSON lines.
-const JSON_LINES: SampledLines = SampledLines {
-    header: || Ok(Vec::new()),
-    row: |id, sample| {
-        let mut all = Record::of("couplet.sample/1");
-        all.append(fields(id, sample));
-        json::line(&all)
-    },
-};
+        return csv::row(NAMES, &fields);
+    }
+    let mut all = Record::of("couplet.sample/1");
+    all.append(fields);
+    json::line(&all)
+}
 
 fn fields(id: u64, sample: &Sample) -> Record {
     let doubles = GivenDoubles::new(&sample.arch, None);

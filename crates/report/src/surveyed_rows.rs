@@ -98,7 +98,7 @@ impl SurveyedRows {
             true => json::line(&self.object(row)),
             false => {
                 let kept = kept_cells(&self.kept, &row.kept);
-                line(kept.chain(self.columns(Some(row)).texts()).collect())
+                line(kept.chain(self.columns(Some(row)).texts()))
             }
         }
     }

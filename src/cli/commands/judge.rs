@@ -2,12 +2,12 @@
 
 use super::given_rows::source;
 use super::output::{OutputFile, is_written};
-use super::stream::{CHUNK, Chunk, Progress, each_alone, in_order};
+use super::stream::{CHUNK, Progress, written_alone};
 use crate::arch::SelfWeight;
 use crate::cli::line::say;
 use crate::judge::{Demand, Verdict};
 use crate::problem::Quantity;
-use crate::report::judged::{JudgeSummary, JudgedAssemblies, JudgedLines, verdicts};
+use crate::report::judged::{self, JudgeSummary, JudgedAssemblies, verdicts};
 use crate::report::words::list;
 use crate::report::{Content, Format, Reported};
 use crate::sweep::failure::Failure;
@@ -17,7 +17,6 @@ use crate::sweep::rows::{
     Syntax,
 };
 use clap::Args;
-use std::io;
 use std::path::PathBuf;
 
 /// Judge somebody else's results, row by row.
@@ -127,7 +126,7 @@ impl Arguments {
 }
 
 fn format_help() -> String {
-    let each = Format::all(Content::JUDGED).filter(|format| JudgedLines::of(format).is_some());
+    let each = Format::all(Content::JUDGED).filter(|format| judged::has_rows(format));
     format!(
         "{}; {} list every row and put a short summary on standard error, the others are a summary with a \
          histogram and the worst rows",
@@ -168,8 +167,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let syntax = source.syntax;
     let input = progress.counted(source.into_input());
     let keep = Keep::new(&arguments.keep);
-    let each = JudgedLines::of(format);
-    let in_lines = each.is_none() || format.name == "jsonl";
+    let has_rows = judged::has_rows(format);
+    let in_lines = format.name != "csv";
     let given = GivenRows::new((syntax, input), columns, keep, in_lines)?;
     let GivenRows { columns, spelling, kept, rows } = given;
     let (seen, rows) = match syntax {
@@ -183,23 +182,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let output = arguments.output.open()?;
     let mut complete = false;
     output.write(|out| {
-        if let Some(each) = each {
-            out.write_all(&(each.header)(&quantities, &kept)?)?;
-        }
+        let columns = (&quantities[..], &kept[..]);
+        out.write_all(&judged::header(format, columns)?)?;
         let answer = |(line, cells)| {
             let row = judge.row(line, cells);
-            let text = each.map_or(Ok(Vec::new()), |each| (each.row)(&row, &quantities, &kept));
+            let text = judged::row(format, &row, columns);
             (row, text)
         };
-        in_order(rows, (&progress, Chunk::WhatIsThere), each_alone(answer), |answers| {
-            for (row, text) in answers {
-                summary.add(row);
-                out.write_all(&text?)?;
-            }
-            out.flush()?;
-            Ok::<_, io::Error>(())
-        })?;
-        if each.is_none() {
+        written_alone(rows, &progress, answer, out, |row| summary.add(row))?;
+        if !has_rows {
             summary.write(format, out)?;
         }
         complete = true;
@@ -209,7 +200,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if !complete {
         return Ok(());
     }
-    if each.is_some() {
+    if has_rows {
         verdicts(&summary).iter().for_each(|text| say(text));
     }
     verdict(&summary)

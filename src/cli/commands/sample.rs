@@ -2,7 +2,7 @@
 
 use super::output::{Output, OutputFile, is_written};
 use crate::report::assembled::{self, Assembled};
-use crate::report::{Content, Format, SampledLines};
+use crate::report::{Content, Format, sampled_header, sampled_row};
 use crate::strategies::{Margin, assemblies, samples};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -82,13 +82,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return arguments.assemblies();
     }
     let format = arguments.format("an arch", Content::SAMPLES)?;
-    let Some(lines) = SampledLines::of(format) else { return Ok(()) };
     arguments.output.open()?.write(|out| {
-        out.write_all(&(lines.header)()?)?;
+        out.write_all(&sampled_header(format)?)?;
         let samples = samples(arguments.seed, arguments.hard);
         (1..=arguments.count)
             .zip(samples)
-            .try_for_each(|(id, sample)| out.write_all(&(lines.row)(id, &sample)?))
+            .try_for_each(|(id, sample)| out.write_all(&sampled_row(format, id, &sample)?))
     })
 }
 

@@ -4,7 +4,7 @@ use super::progress::{ROWS, show_rows, styled};
 use crate::sweep::rows::{Input, Numbered, RowSource};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use std::io::{self, BufReader};
+use std::io::{self, BufReader, Write};
 use std::sync::mpsc;
 use std::thread;
 
@@ -22,12 +22,12 @@ pub(super) enum Chunk {
 
 /// Answers the rows a chunk at a time and hands each chunk on, in the order of the rows. Answers how many rows there
 /// were.
-pub(super) fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
+pub(super) fn in_order<T: Send + 'static, A: Send>(
     lines: impl Iterator<Item = Numbered<T>> + Send + 'static,
     (progress, together): (&Progress, Chunk),
     answers: impl Fn(Vec<Numbered<T>>) -> Vec<A>,
-    mut take: impl FnMut(Vec<A>) -> Result<(), E>,
-) -> Result<u64, E> {
+    mut take: impl FnMut(Vec<A>) -> io::Result<()>,
+) -> io::Result<u64> {
     let together = match together {
         Chunk::WhatIsThere => 1,
         Chunk::Full => CHUNK,
@@ -64,11 +64,23 @@ pub(super) fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
     Ok(rows)
 }
 
-/// Answers to rows, each of which is answered alone, on all cores.
-pub(super) fn each_alone<T: Send, A: Send>(
-    answer: impl Fn(Numbered<T>) -> A + Sync,
-) -> impl Fn(Vec<Numbered<T>>) -> Vec<A> {
-    move |rows| rows.into_par_iter().map(&answer).collect()
+/// Answers rows as they come, each alone, and writes what each is in the output; `take` gets the answers. Answers how
+/// many rows there were.
+pub(super) fn written_alone<T: Send + 'static, A: Send>(
+    rows: impl Iterator<Item = Numbered<T>> + Send + 'static,
+    progress: &Progress,
+    answer: impl Fn(Numbered<T>) -> (A, io::Result<Vec<u8>>) + Sync,
+    out: &mut dyn Write,
+    mut take: impl FnMut(A),
+) -> io::Result<u64> {
+    let answers = |rows: Vec<_>| rows.into_par_iter().map(&answer).collect();
+    in_order(rows, (progress, Chunk::WhatIsThere), answers, |answers: Vec<_>| {
+        for (row, text) in answers {
+            take(row);
+            out.write_all(&text?)?;
+        }
+        out.flush()
+    })
 }
 
 /// A bar with rate and time left, by the bytes read; hidden if standard error is not a terminal.

@@ -17,7 +17,7 @@ const COLUMNS: &str = "id stands near margin threshold threshold_lower threshold
 
 /// Names of the columns.
 pub fn header() -> io::Result<Vec<u8>> {
-    csv::line(COLUMNS.split_whitespace().map(str::to_owned).collect())
+    csv::line(COLUMNS.split(' '))
 }
 
 /// Row of a question.
@@ -31,7 +31,7 @@ pub fn row(of: &Assembled) -> io::Result<Vec<u8>> {
         "mechanism",
         mechanism.iter().map(|(what, joint)| format!("{what} {joint}")).collect::<Vec<_>>(),
     );
-    csv::line(COLUMNS.split_whitespace().map(|name| row.text(name)).collect())
+    csv::row(COLUMNS, &row)
 }
 
 /// Object of a question, on a line.

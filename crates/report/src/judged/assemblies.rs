@@ -67,7 +67,7 @@ fn is_right([_, others @ ..]: &[u64; 4]) -> bool {
 
 impl Reported for JudgedAssemblies {
     fn content() -> Content {
-        Content::VERDICTS
+        Content(&["table", "csv"])
     }
 
     fn records(&self) -> Vec<Record> {

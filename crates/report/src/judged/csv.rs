@@ -1,5 +1,6 @@
 //! Every row with its verdict, as CSV.
 
+use super::JudgedColumns;
 use super::row::{JudgedRow, NUMBER};
 use crate::column::NamedColumn;
 use crate::columns::{kept_cell, kept_names};
@@ -15,7 +16,7 @@ fn numbers() -> impl Iterator<Item = &'static NamedColumn<Judged>> {
 }
 
 /// The header, with the columns of some quantities, and with what is handed on before them.
-pub(super) fn header(quantities: &[Quantity], kept: &[String]) -> io::Result<Vec<u8>> {
+pub(super) fn header((quantities, kept): JudgedColumns) -> io::Result<Vec<u8>> {
     let columns = |of: &Quantity| {
         let name = of.name();
         // The value has the name of its quantity.
@@ -30,11 +31,7 @@ pub(super) fn header(quantities: &[Quantity], kept: &[String]) -> io::Result<Vec
 }
 
 /// Writes one row.
-pub(super) fn row(
-    row: &JudgedRow,
-    quantities: &[Quantity],
-    kept: &[String],
-) -> io::Result<Vec<u8>> {
+pub(super) fn row(row: &JudgedRow, (quantities, kept): JudgedColumns) -> io::Result<Vec<u8>> {
     Separated::Comma.lines(|lines| {
         kept.iter().try_for_each(|name| lines.cell(kept_cell(&row.kept, name)))?;
         lines.found(JudgedRow::COLUMNS.iter(), Some(row))?;

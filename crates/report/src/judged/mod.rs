@@ -18,28 +18,25 @@ use crate::record::Record;
 use crate::reported::Reported;
 use std::io;
 
-/// Writes a row, with the quantities that have columns and the texts of what is handed on.
-type RowWriter = fn(&JudgedRow, &[Quantity], &[String]) -> io::Result<Vec<u8>>;
+/// Quantities that have columns, and the names of what is handed on.
+pub type JudgedColumns<'a> = (&'a [Quantity], &'a [String]);
 
-/// Writers of rows as they come.
-#[derive(Clone, Copy, Debug)]
-pub struct JudgedLines {
-    /// The header, with the quantities that have columns, and with the names of what is handed on.
-    pub header: fn(&[Quantity], &[String]) -> io::Result<Vec<u8>>,
-    /// One row.
-    pub row: RowWriter,
+/// Tells whether a format has rows as they come: CSV, and JSON lines (`couplet.judged/2`).
+pub fn has_rows(format: &Format) -> bool {
+    matches!(format.name, "csv" | "jsonl")
 }
 
-impl JudgedLines {
-    /// CSV or JSON lines (`couplet.judged/2`); no other format has rows as they come.
-    pub fn of(format: &Format) -> Option<Self> {
-        match format.name {
-            "csv" => Some(Self { header: csv::header, row: csv::row }),
-            "jsonl" => {
-                Some(Self { header: |_, _| Ok(Vec::new()), row: |row, _, _| json::row(row) })
-            }
-            _ => None,
-        }
+/// The header of rows, where they have one.
+pub fn header(format: &Format, columns: JudgedColumns) -> io::Result<Vec<u8>> {
+    if format.name == "csv" { csv::header(columns) } else { Ok(Vec::new()) }
+}
+
+/// A row, in a format that has rows.
+pub fn row(format: &Format, row: &JudgedRow, columns: JudgedColumns) -> io::Result<Vec<u8>> {
+    match format.name {
+        "csv" => csv::row(row, columns),
+        "jsonl" => json::row(row),
+        _ => Ok(Vec::new()),
     }
 }
 

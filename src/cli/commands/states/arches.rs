@@ -56,8 +56,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 counts.add(answer.fault().is_some(), answer.is_undecided());
             }
             out.write_all(&file.group(answers)?)?;
-            out.flush()?;
-            Ok::<_, io::Error>(())
+            out.flush()
         })?;
         out.write_all(&file.end()?)?;
         counts.rows = Some(rows);

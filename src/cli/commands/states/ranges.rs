@@ -5,14 +5,13 @@ use super::counts::Counts;
 use super::opened::Opened;
 use crate::ask::{ArchQuestion, Field, Spelling, SurveyGiven};
 use crate::cli::commands::output::{chosen, is_written};
-use crate::cli::commands::stream::{Chunk, each_alone, in_order};
+use crate::cli::commands::stream::written_alone;
 use crate::problem::Quantity;
 use crate::report::words::distinct;
 use crate::report::{Content, SurveyedArches, SurveyedRow, SurveyedRows};
 use crate::sweep::failure::Failure;
 use crate::sweep::rows::{ArchReader, Cells, Numbered, ReadRow};
 use crate::sweep::surveyed::{of_rows, surveyed};
-use std::io;
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(format) = arguments.format {
@@ -43,16 +42,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let text = file.row(&row);
             (row, text)
         };
-        let answered =
-            in_order(given.rows, (&progress, Chunk::WhatIsThere), each_alone(answer), |answers| {
-                for (row, text) in answers {
-                    counts.add(row.is_refused(), row.is_undecided());
-                    out.write_all(&text?)?;
-                }
-                out.flush()?;
-                Ok::<_, io::Error>(())
-            })?;
-        counts.rows = Some(answered);
+        let count = |row: SurveyedRow| counts.add(row.is_refused(), row.is_undecided());
+        counts.rows = Some(written_alone(given.rows, &progress, answer, out, count)?);
         Ok(())
     })?;
     counts.verdict()
