@@ -7,12 +7,10 @@ use crate::failure::{Failure, wrong};
 use crate::question::{ARCH, certified};
 use crate::surveyed::{survey_certified, surveyed};
 use crate::threads::{checked, on_threads};
-use couplet::Error;
 use couplet::arch::SelfWeight;
 use couplet::ask::{ArchAsked, ArchGiven, Field, Spelling};
 use couplet::certify::state::Certify;
-use couplet::certify::state::find as seek;
-use couplet::certify::{self, CertifiedLandmark, quantities};
+use couplet::certify::{self, quantities};
 use couplet::check::{Certificate, Refusal};
 use couplet::door::find::{self as sought, FindTarget};
 use couplet::problem::{Arch, Landmark, Quantity};
@@ -78,13 +76,8 @@ impl ArchRead {
             None => answer::state(1, (arch, measures), digits, &arch.certify(digits)),
         };
         let asked = Some(Box::new(self.understood.clone()));
-        let told = Answers::arch(digits, report::Answer { asked, ..found });
-        let [usual, of_measured]: [&[Quantity]; 2] = match self.given.thickness {
-            Some(_) => [&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT],
-            None => [&Quantity::STATE, &Quantity::MEASURED_STATE],
-        };
-        let quantities = self.given.quantities(usual, of_measured);
-        Answer::told(Answers { quantities, ..told })
+        let told = vec![report::Answer { asked, ..found }];
+        Answer::told(Answers::of(Scope::Arch, digits, self.given.quantities(), told))
     }
 }
 
@@ -239,17 +232,9 @@ pub unsafe extern "C" fn couplet_find(
                 sought::question((target, modes), &asked, Spelling::Key).map_err(wrong)?;
             let understood = sought::understood(&asked, Spelling::Key).map_err(wrong)?;
             let digits = digits_of(digits)?;
-            let found = seek::find(weight, &question, digits);
-            if let Err(Error::Refused(refused)) = &found {
-                return Err(wrong(refused));
-            }
-            let found = report::Answer {
-                asked: Some(Box::new(understood)),
-                ..report::Answer::finding(1, (weight, &question), &found)
-            };
-            let quantities = Quantity::FOUND.to_vec();
-            let scope = Scope::Found;
-            Ok(Answer::told(Answers { scope, quantities, ..Answers::arch(digits, found) }))
+            let found = answer::finding(1, (weight, &question), digits).map_err(wrong)?;
+            let told = vec![report::Answer { asked: Some(Box::new(understood)), ..found }];
+            Ok(Answer::told(Answers::of(Scope::Found, digits, Quantity::FOUND.to_vec(), told)))
         })
     }
 }
@@ -282,14 +267,9 @@ pub unsafe extern "C" fn couplet_constant(
             };
             let digits = digits_of(digits)?;
             let asked: Vec<_> = wanted.into_iter().map(|of| (of, digits)).collect();
-            let found = on_threads(checked(threads)?, || {
-                let point = CertifiedLandmark::new(landmark, weight)?;
-                let constants = point.constants_of(&asked)?;
-                let found = report::Answer::landmark((landmark, weight), Ok((&point, constants)));
-                Ok::<_, Error>(found)
-            })?;
-            let found = found
-                .unwrap_or_else(|error| report::Answer::landmark((landmark, weight), Err(&error)));
+            let of = (landmark, weight);
+            let found = on_threads(checked(threads)?, || answer::landmark(of, &asked))?;
+            let found = found.unwrap_or_else(|error| report::Answer::landmark(of, Err(&error)));
             Ok(Answer::told(Answers::constants(digits, vec![found])))
         })
     }

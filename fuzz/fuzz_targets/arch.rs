@@ -22,7 +22,7 @@ fuzz_target!(|text: &str| {
         if let Ok(given) = ArchGiven::read(&ANY, &asked, spelling).map_err(is_told) {
             let _ = given.divisions().map_err(is_told);
             let _ = given.arch(SelfWeight::Milankovitch).map_err(is_told);
-            given.quantities(&Quantity::STATE_ROW, &[]);
+            given.quantities();
         }
         if let Ok(given) = SurveyGiven::read(&ANY, &asked, spelling).map_err(is_told) {
             let _ = given.survey(SelfWeight::Heyman).map_err(is_told);

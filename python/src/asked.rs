@@ -3,15 +3,13 @@
 
 use crate::pool::{on_one_thread, on_threads};
 use crate::{CoupletError, UndecidedError, told};
-use couplet::Error;
 use couplet::arch::SelfWeight;
 use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven, notes};
-use couplet::certify::state::find as seek;
+use couplet::certify::quantities;
 use couplet::certify::state::{Balls, Certify};
-use couplet::certify::{CertifiedLandmark, quantities};
 use couplet::cli::{self, doors};
-use couplet::door::find as sought;
-use couplet::problem::{Arch, Landmark, Mode, Quantity};
+use couplet::door::find::{self as sought, FindTarget};
+use couplet::problem::{Arch, Landmark, Line, Mode, Quantity};
 use couplet::report::{Answer, Claims, Extent, Format, Reported, Style, TiltDrawing, Understood};
 use couplet::sweep::failure::Failure;
 use couplet::sweep::{answer, parse, surveyed as survey};
@@ -73,12 +71,8 @@ pub(crate) fn constants<'py>(
     let answer = move |(landmark, weight): (Landmark, SelfWeight)| {
         let asked: Vec<_> =
             quantities(landmark).filter(&is_wanted).map(|of| (of, digits)).collect();
-        let proved = || -> Result<Answer, Error> {
-            let point = CertifiedLandmark::new(landmark, weight)?;
-            let constants = point.constants_of(&asked)?;
-            Ok(Answer::landmark((landmark, weight), Ok((&point, constants))))
-        };
-        proved().unwrap_or_else(|error| Answer::landmark((landmark, weight), Err(&error)))
+        let found = answer::landmark((landmark, weight), &asked);
+        found.unwrap_or_else(|error| Answer::landmark((landmark, weight), Err(&error)))
     };
     let points: Vec<_> =
         weights.iter().flat_map(|&weight| landmarks.iter().map(move |&of| (of, weight))).collect();
@@ -268,6 +262,14 @@ pub(crate) fn tilted<'py>(
     Ok((told, values))
 }
 
+/// What is found, and the modes of a boundary.
+pub(crate) fn target_of(
+    (what, modes): (&str, Option<&str>),
+) -> PyResult<(FindTarget, Option<Line>)> {
+    let modes = modes.map(sought::line).transpose();
+    Ok((sought::what(what).map_err(wrong)?, modes.map_err(wrong)?))
+}
+
 #[pyfunction]
 pub(crate) fn find<'py>(
     py: Python<'py>,
@@ -277,20 +279,12 @@ pub(crate) fn find<'py>(
     digits: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
     let weight = parse::weight(weight).map_err(wrong)?;
-    let what = sought::what(target.0).map_err(wrong)?;
-    let modes = target.1.map(sought::line).transpose().map_err(wrong)?;
-    let question = sought::question((what, modes), &asked(texts), Spelling::Key).map_err(failed)?;
+    let question = sought::question(target_of(target)?, &asked(texts), Spelling::Key);
+    let question = question.map_err(failed)?;
     warn(py, notes(question.friction()))?;
     let digits = parse::digits(digits).map_err(wrong)?;
-    let (found, answer) = on_threads(py, 1, move || {
-        let found = seek::find(weight, &question, digits);
-        let answer = Answer::finding(1, (weight, &question), &found);
-        (found, answer)
-    })?;
-    if let Err(Error::Refused(refused)) = &found {
-        return Err(wrong(refused));
-    }
-    told::answer(py, &answer)
+    let found = on_threads(py, 1, move || answer::finding(1, (weight, &question), digits))?;
+    told::answer(py, &found.map_err(wrong)?)
 }
 
 /// What a report writes in a format.

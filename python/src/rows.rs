@@ -3,15 +3,12 @@
 use crate::asked::warn;
 use crate::pool::{is_short, on_threads};
 use crate::{CoupletError, asked};
-use couplet::Error;
 use couplet::ask::{ArchAsked, Field, Spelling, array_note, notes};
 use couplet::certify::Refused;
 use couplet::certify::batch::{DoubleArches, DoubleUnits};
-use couplet::certify::state::find;
 use couplet::door::find as sought;
 use couplet::problem::{Friction, Quantity};
-use couplet::report::Answer;
-use couplet::sweep::parse;
+use couplet::sweep::{answer, parse};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
@@ -94,8 +91,7 @@ pub(crate) fn finds(
 ) -> PyResult<Vec<Sought>> {
     let wrong = CoupletError::new_err::<String>;
     let weight = parse::weight(weight).map_err(wrong)?;
-    let what = sought::what(target.0).map_err(wrong)?;
-    let modes = target.1.map(sought::line).transpose().map_err(wrong)?;
+    let target = asked::target_of(target)?;
     let frictions = rows.iter().filter_map(|[_, friction, _]| friction.as_ref()?.parse().ok());
     warn(py, notes(&frictions.collect::<Vec<Friction>>()).first())?;
     let sought = move |[half_opening, friction, thickness]: [Option<String>; 3]| {
@@ -104,15 +100,14 @@ pub(crate) fn finds(
         *asked.at(Field::Friction) = friction;
         *asked.at(Field::Thickness) = thickness;
         let nothing = |code, why: Option<String>| (code, [f64::NAN; 3], why);
-        let question = match sought::question((what, modes), &asked, Spelling::Key) {
+        let question = match sought::question(target, &asked, Spelling::Key) {
             Ok(question) => question,
             Err(failure) => return nothing(3, Some(failure.to_string())),
         };
-        let found = find::find(weight, &question, DIGITS);
-        if let Err(Error::Refused(refused)) = &found {
-            return nothing(3, Some(refused.to_string()));
-        }
-        let answer = Answer::finding(1, (weight, &question), &found);
+        let answer = match answer::finding(1, (weight, &question), DIGITS) {
+            Ok(answer) => answer,
+            Err(refused) => return nothing(3, Some(refused.to_string())),
+        };
         match (answer.values.first(), answer.is_undecided()) {
             (Some((_, value)), _) => {
                 (0, [value.double, value.binary.lower, value.binary.upper], None)

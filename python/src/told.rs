@@ -1,7 +1,7 @@
 //! An answer as Python gets it: dictionaries, texts and doubles, from which the classes of the package are made.
 
+use couplet::certify::VoussoirStanding;
 use couplet::certify::state::Figure;
-use couplet::certify::{LargestTilt, VoussoirStanding, Voussoirs};
 use couplet::check::AcceptedFile;
 use couplet::problem::{Mode, Quantity};
 use couplet::report::{Answer, Sizes, Status, TiltedArch, Value, VoussoirArch};
@@ -80,13 +80,8 @@ pub(crate) fn voussoirs<'py>(
     py: Python<'py>,
     arch: &VoussoirArch,
 ) -> PyResult<[Bound<'py, PyDict>; 2]> {
-    let mut least = Vec::new();
-    if let Ok(Voussoirs::Stands(state)) = &arch.found {
-        least.push(("thickness", Some(&state.thickness)));
-        least.push(("thrust", Some(&state.thrust)));
-        least.push(("rotation_joint", Some(&state.rotation_joint)));
-        least.extend(state.sliding_joint.iter().map(|joint| ("sliding_joint", Some(joint))));
-    }
+    let known = |(of, figure): (Quantity, Option<_>)| Some((of.name(), Some(figure?)));
+    let mut least: Vec<_> = arch.figures().into_iter().filter_map(known).collect();
     let mut at_thickness: Vec<(&str, Option<&Figure>)> = Vec::new();
     if let Some(found) = arch.given.as_ref().map(|given| &given.found) {
         let all = [
@@ -112,17 +107,9 @@ pub(crate) fn voussoirs<'py>(
 
 /// The largest acceleration of an arch, where it is known.
 pub(crate) fn tilted<'py>(py: Python<'py>, arch: &TiltedArch) -> PyResult<Bound<'py, PyDict>> {
-    let largest = match &arch.found {
-        Ok(Some(found)) => found.largest.as_ref().ok(),
-        _ => None,
-    };
-    let figure = largest.map(|largest| match largest {
-        LargestTilt::Limited(figure, _) => Some(&**figure),
-        LargestTilt::Unlimited => None,
-    });
+    let largest = arch.largest().map(|_| ("largest_tilt", arch.figure()));
     let beside = arch.at_largest();
     let beside = beside.iter().map(|(name, figure)| (*name, Some(figure)));
-    let largest = figure.map(|figure| ("largest_tilt", figure));
     figures(py, largest.into_iter().chain(beside).chain(sizes(arch.sizes.as_ref())))
 }
 

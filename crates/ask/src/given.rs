@@ -97,11 +97,10 @@ impl ArchGiven {
         all
     }
 
-    /// Quantities that can be asked of an arch, and of one that is measured.
-    pub fn quantities(&self, usual: &[Quantity], of_measured: &[Quantity]) -> Vec<Quantity> {
-        let Some(measures) = &self.measures else { return usual.to_vec() };
-        let told = |of: &&Quantity| measures.has_forces() || !of.is_force();
-        usual.iter().chain(of_measured.iter().filter(told)).copied().collect()
+    /// Quantities that can be asked of the arch.
+    pub fn quantities(&self) -> Vec<Quantity> {
+        let forces = self.measures.as_ref().map(Measures::has_forces);
+        Quantity::of_arch(self.thickness.is_some(), forces)
     }
 
     /// The divisions into stones; none if there is a joint at every angle.

@@ -330,29 +330,29 @@ impl Answer {
     pub fn finding(
         line: u64,
         (weight, question): (SelfWeight, &Question),
-        found: &Result<Finding, Error>,
+        found: Result<Finding, Undecided>,
     ) -> Self {
         let mut answer = Self::new(Subject::sought(line, weight, question), Status::Proved)
             .with_note(question.friction());
         match found {
             Ok(Finding::Found(found)) => {
-                answer.modes = found.modes.clone();
-                let values = found.figures.iter();
-                answer.values = values.map(|(of, x)| (*of, Value::figure(Some(x)))).collect();
-                answer.proved = Some(found.proved.clone());
+                let values = found.figures.into_iter();
+                answer.values = values.map(|(of, x)| (of, Value::from(Some(x)))).collect();
+                answer.modes = found.modes;
+                answer.proved = Some(found.proved);
                 answer.some_may_move = found.some_may_move;
             }
             Ok(Finding::Nothing(fall)) => {
                 answer.stands = Some(false);
                 match fall {
-                    Some(fall) => answer.status = Status::Falls(*fall),
+                    Some(fall) => answer.status = Status::Falls(fall),
                     None => answer.proved = Some(TOO_THIN.to_owned()),
                 }
             }
             Ok(Finding::Beyond(line, ends)) => {
                 answer.proved = Some(format!("there is none: the line {line} runs from {ends}"));
             }
-            Err(error) => answer.status = error.into(),
+            Err(undecided) => answer.status = Status::Undecided(undecided),
         }
         answer
     }

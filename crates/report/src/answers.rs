@@ -42,29 +42,25 @@ pub struct Answers {
 }
 
 impl Answers {
-    /// Answers of landmarks.
-    pub fn constants(digits: usize, list: Vec<Answer>) -> Self {
-        Self { scope: Scope::Constants, list, ..Self::without_arches(digits) }
+    /// Answers of a scope, of which these quantities are shown.
+    pub fn of(scope: Scope, digits: usize, quantities: Vec<Quantity>, list: Vec<Answer>) -> Self {
+        Self { scope, digits, quantities, list, kept: Vec::new() }
     }
 
-    /// Answers of one landmark, with the modes that meet there.
-    pub fn point(digits: usize, answer: Answer) -> Self {
-        Self { scope: Scope::Point, list: vec![answer], ..Self::without_arches(digits) }
+    /// Answers of landmarks.
+    pub fn constants(digits: usize, list: Vec<Answer>) -> Self {
+        Self::of(Scope::Constants, digits, Vec::new(), list)
     }
 
     /// Answers of one arch, with all that was found.
     pub fn arch(digits: usize, answer: Answer) -> Self {
-        let assessed = answer.subject.is_assessed();
-        Self { scope: Scope::Arch, list: vec![answer], ..Self::arches(digits, assessed) }
+        let quantities = Quantity::of_arch(answer.subject.is_assessed(), None);
+        Self::of(Scope::Arch, digits, quantities, vec![answer])
     }
 
     /// Answers of many arches, with every quantity and no answers yet; `assessed` if they have a thickness.
     pub fn arches(digits: usize, assessed: bool) -> Self {
-        let quantities = match assessed {
-            true => Quantity::ASSESSMENT.to_vec(),
-            false => Quantity::STATE.to_vec(),
-        };
-        Self { scope: Scope::Arches, quantities, ..Self::without_arches(digits) }
+        Self::of(Scope::Arches, digits, Quantity::of_arch(assessed, None), Vec::new())
     }
 
     /// Answers of many arches, some of which have a thickness: in a table the least thickness is in one
@@ -72,21 +68,16 @@ impl Answers {
     pub fn mixed(digits: usize) -> Self {
         let state = Quantity::STATE.into_iter().filter(|of| *of != Quantity::Thickness);
         let quantities = Quantity::ASSESSMENT.into_iter().chain(state).collect();
-        Self { scope: Scope::Mixed, quantities, ..Self::without_arches(digits) }
+        Self::of(Scope::Mixed, digits, quantities, Vec::new())
     }
 
     /// Answers of many arches as they come, with only some of the quantities.
-    pub fn of(self, quantities: &[Quantity]) -> Self {
+    pub fn only(self, quantities: &[Quantity]) -> Self {
         let shown = |of: &Quantity| match (self.scope, of) {
             (Scope::Mixed, Quantity::Thickness) => Quantity::LeastThickness,
             _ => *of,
         };
         Self { quantities: distinct(quantities.iter().map(shown)), ..self }
-    }
-
-    fn without_arches(digits: usize) -> Self {
-        let (quantities, list, kept) = (Vec::new(), Vec::new(), Vec::new());
-        Self { scope: Scope::Arches, digits, quantities, list, kept }
     }
 
     /// Tells whether any of the arches may have a thickness.

@@ -1,13 +1,35 @@
-//! An answer about one arch, with the asymmetric solutions that are known of it and, in metres, its sizes: for every
-//! door.
+//! An answer about one arch, with the asymmetric solutions that are known of it and, in metres, its sizes; or about a
+//! landmark, or what is found: for every door.
 
+use crate::arch::SelfWeight;
+use crate::certify::state::find::{Question, find};
 use crate::certify::state::{Answer as Outcome, AssessmentDigits, SomeDigits};
 use crate::certify::state::{measured_assessment, measured_state};
-use crate::certify::{Error, Refused, asymmetric_thicknesses};
+use crate::certify::{CertifiedLandmark, Error, Refused, asymmetric_thicknesses};
 use crate::number::ExactNumber;
-use crate::problem::Arch;
 use crate::problem::measures::Measures;
+use crate::problem::{Arch, Landmark, Quantity};
 use crate::report::{Answer, Extent};
+
+/// Constants of a landmark, each to its digits.
+pub fn landmark(
+    (landmark, weight): (Landmark, SelfWeight),
+    asked: &[(Quantity, usize)],
+) -> Result<Answer, Error> {
+    let point = CertifiedLandmark::new(landmark, weight)?;
+    let constants = point.constants_of(asked)?;
+    Ok(Answer::landmark((landmark, weight), Ok((&point, constants))))
+}
+
+/// Answer to a question asked the other way round, to so many digits. The line tells questions apart.
+pub fn finding(
+    line: u64,
+    (weight, question): (SelfWeight, &Question),
+    digits: usize,
+) -> Result<Answer, Refused> {
+    let found = Error::apart(find(weight, question, digits))?;
+    Ok(Answer::finding(line, (weight, question), found))
+}
 
 /// State of an arch at its least thickness, as it was found to so many digits; sizes have a number of their own. The
 /// line tells arches apart.

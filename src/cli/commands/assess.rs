@@ -10,7 +10,7 @@ use super::tilt;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
 use crate::certify::state::Wanted;
-use crate::problem::{Arch, Quantity};
+use crate::problem::Arch;
 use crate::sweep::answer;
 use crate::sweep::failure::Failure;
 use clap::Args;
@@ -72,8 +72,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let (output, sizes) = ((arguments.output.file(), format), arguments.arch.measures(&given));
         return tilt::write(output, (&asked, &arches), (eta, tilt, None), (digits, sizes));
     }
-    let all = given.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
-    let quantities = arguments.output.quantities(&all)?;
+    let quantities = arguments.output.quantities(&given.quantities())?;
     let (proved, balls) = (format.proved_digits(digits), format.balls());
     let answer = |line, arch: &Arch| {
         let found = balls.assess(arch, eta, proved, Wanted::Everything);

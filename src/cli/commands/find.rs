@@ -5,12 +5,11 @@ use super::notes;
 use super::output::AnswerOutput;
 use super::survey;
 use crate::ask::Spelling;
-use crate::certify::Error;
-use crate::certify::state::find as seek;
 use crate::certify::state::find::Question;
 use crate::door::find::{self, FindTarget};
 use crate::problem::{Line, Quantity, Sought};
 use crate::report::{Answer, Answers, Scope};
+use crate::sweep::answer;
 use crate::sweep::failure::Failure;
 use clap::Args;
 
@@ -63,18 +62,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     notes::frictions(question.friction());
     let digits = arguments.arch.digits();
     let answer = |(line, weight)| {
-        let found = seek::find(weight, &question, digits);
-        if let Err(Error::Refused(refused)) = found {
-            return Err(refused.into());
-        }
-        let answer = Answer::finding(line, (weight, &question), &found).only(&quantities);
+        let answer = answer::finding(line, (weight, &question), digits)?.only(&quantities);
         Ok(Answer { asked: Some(Box::new(asked.clone())), ..answer })
     };
     let weights = (1..).zip(arguments.arch.weight.to_vec());
     let answers: Vec<Answer> = weights.map(answer).collect::<Result<_, Failure>>()?;
     let open = answers.iter().find_map(Answer::first_open);
-    let kept = Vec::new();
-    let report = Answers { scope: Scope::Found, digits, quantities, kept, list: answers };
+    let report = Answers::of(Scope::Found, digits, quantities, answers);
     file.report((&report, format), open)
 }
 

@@ -9,7 +9,7 @@ use super::output::AnswerOutput;
 use super::survey;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
-use crate::certify::{CertifiedLandmark, Error, quantities as quantities_of};
+use crate::certify::{Error, quantities as quantities_of};
 use crate::problem::{Arch, Landmark, Quantity};
 use crate::report::{Answer, Answers, Reported, Scope, Understood};
 use crate::sweep::answer;
@@ -90,8 +90,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return voussoirs::print(&arguments.arch, &given, &arches, &arguments.output);
     }
     let asked = arguments.arch.understood(&given);
-    let all = given.quantities(&Quantity::STATE, &Quantity::MEASURED_STATE);
-    let quantities = arguments.output.quantities(&all)?;
+    let quantities = arguments.output.quantities(&given.quantities())?;
     let format = arguments.output.format()?;
     let digits = arguments.arch.digits_of(&given, format);
     let (proved, balls) = (format.proved_digits(digits), format.balls());
@@ -119,7 +118,7 @@ pub(super) fn print(
     let answers: Vec<Answer> = (1..).zip(arches).map(answer).collect();
     let open = answers.iter().find_map(Answer::first_open);
     let scope = if answers.len() == 1 { Scope::Arch } else { Scope::Arches };
-    let answers = Answers { scope, digits, quantities, list: answers, kept: Vec::new() };
+    let answers = Answers::of(scope, digits, quantities, answers);
     file.report((&answers, format), open)
 }
 
@@ -132,13 +131,10 @@ fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure>
         .map(|quantity| (quantity, digits))
         .collect();
     let answer = |weight| {
-        let point = CertifiedLandmark::new(landmark, weight)?;
-        let constants = point.constants_of(&asked)?;
-        let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
+        let answer = answer::landmark((landmark, weight), &asked)?;
         Ok(Answer { modes: landmark.modes().to_vec(), ..answer })
     };
     let list: Result<_, Error> = arguments.arch.weight.iter().copied().map(answer).collect();
-    let (scope, kept) = (Scope::Point, Vec::new());
-    let report = Answers { scope, digits, quantities, list: list?, kept };
+    let report = Answers::of(Scope::Point, digits, quantities, list?);
     output.write(|out| report.write(format, out))
 }

@@ -161,6 +161,17 @@ impl Quantity {
         LeastForce LargestForce
     ];
 
+    /// Quantities that can be asked of an arch, of a given thickness or at its least one; `forces` tells of one that is
+    /// measured whether it has any.
+    pub fn of_arch(has_thickness: bool, forces: Option<bool>) -> Vec<Self> {
+        let [usual, measured] = match has_thickness {
+            true => [&Self::ASSESSMENT[..], &Self::MEASURED_ASSESSMENT],
+            false => [&Self::STATE[..], &Self::MEASURED_STATE],
+        };
+        let is_told = |of: &&Self| forces.is_some_and(|has| has || !of.is_force());
+        usual.iter().chain(measured.iter().filter(is_told)).copied().collect()
+    }
+
     /// The name used in files and on the command line; stable, and an identifier in every language.
     pub const fn name(self) -> &'static str {
         self.row()[0]

@@ -124,7 +124,8 @@ impl VoussoirArch {
         }
     }
 
-    pub(super) fn figures(&self) -> Vec<(Quantity, Option<&Figure>)> {
+    /// The quantities of the state, which none has where there is no state.
+    pub fn figures(&self) -> Vec<(Quantity, Option<&Figure>)> {
         let state = self.state();
         vec![
             (Quantity::Thickness, state.map(|state| &state.thickness)),

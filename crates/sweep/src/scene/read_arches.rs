@@ -38,7 +38,11 @@ pub(super) fn arches(
     let axes = axes(table, Some(&ArchQuestion::ANY), ranges);
     let has = |field| table.given_field(field).is_some();
     let with_thickness = has(Field::Thickness);
-    let known = if ranges { surveyed::told(has) } else { known(has, measured) };
+    let known = if ranges {
+        surveyed::told(has)
+    } else {
+        Quantity::of_arch(has(Field::Thickness), measured.then(|| has(Field::Density)))
+    };
     let quantities = quantities(table, &known);
     let usual = if ranges { table.reader.range_digits } else { table.reader.digits };
     let digits = table.digits(usual);
@@ -49,17 +53,6 @@ pub(super) fn arches(
     let asked = product(table, axes, weights.len(), used)?;
     let arches = all(table, &asked, &weights, measured);
     Some(Request::Arches { arches, quantities, with_thickness, digits })
-}
-
-/// Quantities that may be asked of arches that have these fields.
-fn known(has: impl Fn(Field) -> bool, is_measured: bool) -> Vec<Quantity> {
-    let [usual, measured] = match has(Field::Thickness) {
-        true => [&Quantity::ASSESSMENT[..], &Quantity::MEASURED_ASSESSMENT],
-        false => [&Quantity::STATE[..], &Quantity::MEASURED_STATE],
-    };
-    let measured = if is_measured { measured } else { &[] };
-    let has_forces = has(Field::Density);
-    usual.iter().chain(measured).copied().filter(|of| has_forces || !of.is_force()).collect()
 }
 
 /// Arches of questions that were found to go together, with each weight.

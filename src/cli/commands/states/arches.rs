@@ -22,25 +22,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         true => Answers::mixed(digits),
         false => Answers::arches(digits, false),
     };
-    let mut all = Quantity::STATE.to_vec();
-    if answers.have_assessments() {
-        all.extend(Quantity::ASSESSMENT);
-    }
-    let measured: Vec<Quantity> = match columns.has(Field::Span) || columns.has(Field::Radius) {
-        // Each object may have sizes or not.
-        _ if matches!(syntax, Syntax::Json) && !in_lines => Vec::new(),
-        true if answers.have_assessments() => Quantity::MEASURED_ASSESSMENT.to_vec(),
-        true => Quantity::MEASURED_STATE.to_vec(),
-        false => Vec::new(),
-    };
+    // Each object may have sizes or not.
+    let may_be_measured = !matches!(syntax, Syntax::Json) || in_lines;
+    let is_measured = may_be_measured && (columns.has(Field::Span) || columns.has(Field::Radius));
     // Without a density no forces are known.
-    let has_forces = columns.has(Field::Density);
-    let measured: Vec<Quantity> =
-        measured.into_iter().filter(|of| !of.is_force() || has_forces).collect();
-    all.extend(&measured);
+    let forces = is_measured.then(|| columns.has(Field::Density));
+    let mut known = Quantity::of_arch(answers.have_assessments(), forces);
+    let usual = known.iter().position(|of| of.is_measured()).unwrap_or(known.len());
+    let measured = known.split_off(usual);
+    let states = if answers.have_assessments() { &Quantity::STATE[..] } else { &[] };
     let answers = match arguments.quantities.is_empty() {
         true => Answers { quantities: [&answers.quantities[..], &measured].concat(), ..answers },
-        false => answers.of(&chosen(&arguments.quantities, &all)?),
+        false => {
+            let all = [states, &known, &measured].concat();
+            answers.only(&chosen(&arguments.quantities, &all)?)
+        }
     };
     let asked = RowQuestion::new(&answers, format, beside)?;
     let reader = ArchReader { columns, weight: arguments.weight, doubles: false, spelling };
