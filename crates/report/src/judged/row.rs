@@ -3,8 +3,11 @@
 use crate::Kept;
 use crate::column::Column::{Integer, Made, Shown, Text, Truth};
 use crate::column::NamedColumn;
-use crate::judge::{Certified, CorrectDigits, ErrorSide, Judged, Judgement, Standing, Verdict};
-use crate::problem::Quantity;
+use crate::judge::{
+    Certified, CorrectDigits, ErrorSide, Judged, Judgement, RowClaim, Standing, Verdict,
+};
+use crate::number::ExactNumber;
+use crate::problem::{Mode, Quantity};
 use crate::words::reason;
 use std::fmt::Display;
 
@@ -19,39 +22,14 @@ pub struct JudgedRow {
     pub half_opening: String,
     /// The friction as given.
     pub friction: String,
-    /// The thickness as given, where the arch has one.
-    pub thickness: Option<String>,
-    /// True if the claim is that the arch can stand at some thickness.
-    pub claimed_can_stand: Option<bool>,
-    /// True if the claim is that the arch stands at the thickness that it has.
-    pub claimed_stands: Option<bool>,
-    /// The mode that is claimed.
-    pub claimed_mode: Option<&'static str>,
+    /// The claim, if the row could be read.
+    pub claim: Option<RowClaim>,
     /// Note on what may have been meant otherwise.
     pub note: Option<String>,
     /// Values handed on from the row.
     pub kept: Vec<(String, Kept)>,
     /// The judgement, or why the row cannot be read.
     pub outcome: Result<Judgement, String>,
-}
-
-impl Default for JudgedRow {
-    /// Row of which nothing is read yet.
-    fn default() -> Self {
-        Self {
-            line: 0,
-            weight: String::new(),
-            half_opening: String::new(),
-            friction: String::new(),
-            thickness: None,
-            claimed_can_stand: None,
-            claimed_stands: None,
-            claimed_mode: None,
-            note: None,
-            kept: Vec::new(),
-            outcome: Err(String::new()),
-        }
-    }
 }
 
 impl JudgedRow {
@@ -63,6 +41,16 @@ impl JudgedRow {
     /// The judgement, if the row could be read.
     pub(crate) fn judgement(&self) -> Option<&Judgement> {
         self.outcome.as_ref().ok()
+    }
+
+    /// The thickness that the arch has, if it has one.
+    pub(crate) fn thickness(&self) -> Option<&ExactNumber> {
+        self.claim.as_ref()?.thickness.as_ref()
+    }
+
+    /// The mode that is claimed.
+    pub(crate) fn claimed_mode(&self) -> Option<&'static str> {
+        self.claim.as_ref()?.mode.map(Mode::label)
     }
 
     /// The numbers that are judged.
@@ -114,15 +102,15 @@ impl JudgedRow {
         ("weight", Text(|row| Some(&row.weight))),
         ("half_opening", Text(|row| Some(&row.half_opening))),
         ("friction", Text(|row| Some(&row.friction))),
-        ("thickness", Text(|row| row.thickness.as_deref())),
+        ("thickness", Shown(|row| Some(row.thickness()?))),
         ("verdict", Text(|row| Some(row.verdict().name()))),
         ("accepted", Truth(|row| Some(row.verdict().is_accepted()))),
         ("correct_digits", Made(|row| row.correct_digits().map(digits))),
-        ("claimed_can_stand", Truth(|row| row.claimed_can_stand)),
+        ("claimed_can_stand", Truth(|row| row.claim.as_ref()?.can_stand)),
         ("can_stand", Truth(Self::can_stand)),
-        ("claimed_stands", Truth(|row| row.claimed_stands)),
+        ("claimed_stands", Truth(|row| row.claim.as_ref()?.stands)),
         ("stands", Truth(|row| row.judgement()?.stands)),
-        ("claimed_mode", Text(|row| row.claimed_mode)),
+        ("claimed_mode", Text(Self::claimed_mode)),
         ("mode", Made(Self::modes)),
         ("boundary", Text(|row| Some(row.judgement()?.boundary.as_ref()?.quantity.name()))),
         ("boundary_within", Shown(|row| Some(&row.judgement()?.boundary.as_ref()?.within))),

@@ -106,7 +106,8 @@ fn judged_row(row: &JudgedRow, record: &mut Record) {
         },
         verdict => verdict.name().to_owned(),
     };
-    let thickness = row.thickness.as_deref().map(|eta| format!(", thickness {}", shortened(eta)));
+    let thickness =
+        row.thickness().map(|eta| format!(", thickness {}", shortened(&eta.to_string())));
     record.say(format!(
         "   line {}: {what}; {}, half opening {}, friction {}{}",
         row.line,
@@ -118,19 +119,20 @@ fn judged_row(row: &JudgedRow, record: &mut Record) {
     let modes = row.modes().unwrap_or_default();
     match row.verdict() {
         Verdict::WrongMode => {
-            let claimed = row.claimed_mode.unwrap_or_default();
+            let claimed = row.claimed_mode().unwrap_or_default();
             record.say(format!("      mode {claimed}, certified {modes}"));
         }
         Verdict::Falls => match row.reason() {
             Some(reason) => record.say(format!("      it falls by {reason}")),
             None => record.say("      it falls at this thickness"),
         },
-        Verdict::Stands if row.thickness.is_some() => record.say("      it stands"),
+        Verdict::Stands if row.thickness().is_some() => record.say("      it stands"),
         Verdict::Stands => record.say(format!("      it stands, and collapses as {modes}")),
         _ => {}
     }
     if let Some(boundary) = row.judgement().and_then(|found| found.boundary.as_ref()) {
-        let (claimed, quantity) = (row.claimed_mode.unwrap_or_default(), boundary.quantity.name());
+        let (claimed, quantity) =
+            (row.claimed_mode().unwrap_or_default(), boundary.quantity.name());
         let within = &boundary.within;
         record.say(format!(
             "      it is {claimed} at a {quantity} less than {within} away, within its rounding"

@@ -27,19 +27,13 @@ impl Judge {
         };
         let described = cells.as_ref().map(|cells| self.reader.described(cells));
         let [weight, half_opening, friction] = described.unwrap_or_default();
-        let mut row =
-            JudgedRow { line, weight, half_opening, friction, kept, ..JudgedRow::default() };
-        row.outcome = cells.and_then(|cells| {
+        let (mut note, mut claim) = (None, None);
+        let outcome = cells.and_then(|cells| {
             let (arch, ..) = self.reader.arch(&cells)?;
-            row.note = notes([arch.friction()]).pop();
-            let claim = self.claim(&cells)?;
-            row.thickness = claim.thickness.as_ref().map(ToString::to_string);
-            row.claimed_can_stand = claim.can_stand;
-            row.claimed_stands = claim.stands;
-            row.claimed_mode = claim.mode.map(|mode| mode.label());
-            Ok(judge(&arch, &claim, self.demand))
+            note = notes([arch.friction()]).pop();
+            Ok(judge(&arch, claim.insert(self.claim(&cells)?), self.demand))
         });
-        row
+        JudgedRow { line, weight, half_opening, friction, claim, note, kept, outcome }
     }
 
     fn claim(&self, cells: &Cells) -> Result<RowClaim, String> {
