@@ -1,6 +1,6 @@
 //! An answer: an object that is made by one call, read by any thread, and freed once.
 
-use crate::border::{Outcome, c_text, optional, or_else, taken};
+use crate::border::{c_text, optional, or_else, taken};
 use crate::codes::{COUPLET_FAULT, COUPLET_OPEN, COUPLET_PROVED, COUPLET_RESOURCE, COUPLET_USAGE};
 use crate::failure::Failure;
 use couplet::certify::survey::{EndValue, QuantityRange, RangeEnd};
@@ -15,6 +15,7 @@ use std::io;
 use std::sync::OnceLock;
 
 /// What comes back from a question. Its texts live as long as it does.
+#[derive(Default)]
 pub struct Answer {
     code: c_int,
     verdict: CString,
@@ -37,7 +38,9 @@ struct Known {
 }
 
 /// What JSON is made of.
+#[derive(Default)]
 enum Whole {
+    #[default]
     Nothing,
     Text(String),
     Answers(Box<Answers>),
@@ -72,8 +75,9 @@ fn double(end: &RangeEnd, outward: Round) -> f64 {
     }
 }
 
-impl Outcome for Answer {
-    fn failed(failure: Failure) -> Self {
+impl Answer {
+    /// Answer to what was not answered.
+    pub(crate) fn failed(failure: Failure) -> Self {
         match failure {
             Failure::Usage(reason) => Self::new(COUPLET_USAGE, "refused", reason),
             Failure::Resource(reason) => Self::new(COUPLET_RESOURCE, "failed", reason),
@@ -81,27 +85,16 @@ impl Outcome for Answer {
         }
     }
 
-    fn code(&self) -> c_int {
+    /// The code that the function returns.
+    pub(crate) fn code(&self) -> c_int {
         self.code
     }
-}
 
-impl Answer {
     /// Without values.
-    fn new(code: c_int, verdict: &str, reason: impl Into<String>) -> Self {
+    pub(crate) fn new(code: c_int, verdict: &str, reason: impl Into<String>) -> Self {
         // It may quote what others wrote, as the command's may.
         let (verdict, reason) = (c_text(verdict), c_text(visible(&reason.into())));
-        let (values, json) = (Vec::new(), OnceLock::new());
-        Self {
-            code,
-            verdict,
-            mode: CString::default(),
-            reason,
-            note: CString::default(),
-            values,
-            whole: Whole::Nothing,
-            json,
-        }
+        Self { code, verdict, reason, ..Self::default() }
     }
 
     /// What is undecided, and why.
@@ -172,16 +165,6 @@ impl Answer {
         let values = accepted.certificate().map_or(&[][..], |accepted| &accepted.values);
         let values = values.iter().map(value).collect();
         Self { values, ..Self::new(COUPLET_PROVED, "accepted", accepted.summary()) }
-    }
-
-    /// A certificate that is refused, and why.
-    pub(crate) fn refused(reason: String) -> Self {
-        Self::new(COUPLET_OPEN, "refused", reason)
-    }
-
-    /// A certificate that is not checked, and why.
-    pub(crate) fn not_checked(reason: String) -> Self {
-        Self::new(COUPLET_RESOURCE, "not checked", reason)
     }
 
     #[cfg(test)]

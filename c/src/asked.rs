@@ -3,6 +3,7 @@
 
 use crate::answer::Answer;
 use crate::border::{Array, answered, optional, text};
+use crate::codes::{COUPLET_OPEN, COUPLET_RESOURCE};
 use crate::failure::{Failure, wrong};
 use crate::question::{ARCH, certified};
 use crate::surveyed::{survey_certified, surveyed};
@@ -12,8 +13,8 @@ use couplet::ask::{ArchAsked, ArchGiven, Field, Spelling};
 use couplet::certify::state::Certify;
 use couplet::certify::{self, quantities};
 use couplet::check::{Certificate, Refusal};
-use couplet::door::find::{self as sought, FindTarget};
-use couplet::problem::{Arch, Landmark, Quantity};
+use couplet::door::find as sought;
+use couplet::problem::{Arch, Landmark, Quantity, Sought};
 use couplet::report::{self, Answers, Scope, Understood};
 use couplet::sweep::{answer, parse};
 use std::ffi::{c_char, c_int, c_void};
@@ -221,9 +222,9 @@ pub unsafe extern "C" fn couplet_find(
             }
             // What is not given is sought.
             let target = match (modes, &asked.half_opening, &asked.friction) {
-                (Some(_), ..) => FindTarget::Boundary,
-                (None, None, Some(_)) => FindTarget::HalfOpening,
-                (None, Some(_), None) => FindTarget::Friction,
+                (Some(_), ..) => None,
+                (None, None, Some(_)) => Some(Sought::HalfOpening),
+                (None, Some(_), None) => Some(Sought::Friction),
                 (None, ..) => {
                     return Err(wrong("give friction or half_opening; the other one is found"));
                 }
@@ -360,8 +361,10 @@ pub unsafe extern "C" fn couplet_check(
             let engine = optional(engine, "engine")?.unwrap_or("astro");
             Ok(match parse::engine(engine).map_err(wrong)?.check(bytes) {
                 Ok(accepted) => Answer::accepted(&accepted),
-                Err(limit @ Refusal::Limit(..)) => Answer::not_checked(limit.to_string()),
-                Err(refusal) => Answer::refused(refusal.to_string()),
+                Err(limit @ Refusal::Limit(..)) => {
+                    Answer::new(COUPLET_RESOURCE, "not checked", limit.to_string())
+                }
+                Err(refusal) => Answer::new(COUPLET_OPEN, "refused", refusal.to_string()),
             })
         })
     }

@@ -1,6 +1,7 @@
 //! The border to C: pointers become texts and slices, or a code; a panic becomes a code; nothing else of this crate
 //! reads or writes where a pointer says.
 
+use crate::answer::Answer;
 use crate::failure::Failure;
 use crate::threads::give_back_at_the_end;
 use std::any::Any;
@@ -10,25 +11,17 @@ use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::slice;
 
-/// What comes back to C: a code, and what is handed over with it.
-pub(crate) trait Outcome {
-    /// Outcome of what was not answered.
-    fn failed(failure: Failure) -> Self;
-    /// The code that the function returns.
-    fn code(&self) -> c_int;
-}
-
 /// Runs the body of a function. Whatever becomes of it, there is an answer, and where it is asked for it is handed
 /// over.
 ///
 /// # Safety
 ///
 /// The pointer is null, or a pointer can be written there.
-pub(crate) unsafe fn answered<A: Outcome>(
-    out: *mut *mut A,
-    body: impl FnOnce() -> Result<A, Failure>,
+pub(crate) unsafe fn answered(
+    out: *mut *mut Answer,
+    body: impl FnOnce() -> Result<Answer, Failure>,
 ) -> c_int {
-    let answer = caught(body).unwrap_or_else(A::failed);
+    let answer = caught(body).unwrap_or_else(Answer::failed);
     let code = answer.code();
     if !out.is_null() {
         // SAFETY: as the caller promises.
@@ -58,7 +51,7 @@ pub(crate) fn or_else<T>(instead: T, body: impl FnOnce() -> T) -> T {
 /// # Safety
 ///
 /// The pointer is null, or from [`answered`] and not taken back yet.
-pub(crate) unsafe fn taken<A>(answer: *mut A) -> Option<Box<A>> {
+pub(crate) unsafe fn taken(answer: *mut Answer) -> Option<Box<Answer>> {
     // SAFETY: it was made of a box, and the caller promises that nobody has it any more.
     (!answer.is_null()).then(|| unsafe { Box::from_raw(answer) })
 }
@@ -194,7 +187,6 @@ pub(crate) fn apart(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::Answer;
     use std::slice::from_ref;
 
     fn answer_of(body: impl FnOnce() -> Result<Answer, Failure>) -> (c_int, String) {
@@ -220,9 +212,7 @@ mod tests {
             assert_eq!(answer_of(|| Err(failure)), (code, "a".to_owned()));
         }
         // SAFETY: null is allowed.
-        let code = unsafe {
-            answered::<Answer>(std::ptr::null_mut(), || Err(Failure::Usage(String::new())))
-        };
+        let code = unsafe { answered(std::ptr::null_mut(), || Err(Failure::Usage(String::new()))) };
         assert_eq!(code, 2);
     }
 

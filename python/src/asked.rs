@@ -38,11 +38,6 @@ pub(crate) fn quantity_name(name: &str) -> PyResult<&'static str> {
     parse::quantity(name).map(|quantity| quantity.name()).map_err(wrong)
 }
 
-/// A quantity of those that there are.
-pub(crate) fn quantity(name: &str, possible: &[Quantity]) -> PyResult<Quantity> {
-    parse::quantity_of(name, possible).map_err(wrong)
-}
-
 /// The labels of the modes, in the order of their codes.
 #[pyfunction]
 pub(crate) fn modes() -> Vec<&'static str> {

@@ -36,7 +36,8 @@ type Columns<'py> = (Bytes<'py>, Bytes<'py>, Vec<Vec<Bytes<'py>>>);
 pub(crate) fn quantities(names: &[String], has_thickness: bool) -> PyResult<Vec<Quantity>> {
     let possible =
         if has_thickness { &Quantity::ASSESSMENT_ROW[..] } else { &Quantity::STATE_ROW[..] };
-    names.iter().map(|name| asked::quantity(name, possible)).collect()
+    let named = |name: &String| parse::quantity_of(name, possible).map_err(asked::wrong);
+    names.iter().map(named).collect()
 }
 
 /// The arches of arrays of doubles of one length, as bytes.

@@ -9,23 +9,16 @@ use crate::report::words::list;
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 
-/// Target of a search.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FindTarget {
-    /// The widest half opening that stands.
-    HalfOpening,
-    /// The least friction with which an arch stands.
-    Friction,
-    /// The place where one mode becomes another.
-    Boundary,
-}
+/// Target of a search: the widest half opening that stands, the least friction with which an arch stands, or with `None`
+/// the place where one mode becomes another.
+pub type FindTarget = Option<Sought>;
 
 /// Target of a name.
 pub fn what(text: &str) -> Result<FindTarget, String> {
     match &text.replace('_', "-").to_lowercase()[..] {
-        "half-opening" | "alpha" => Ok(FindTarget::HalfOpening),
-        "friction" | "mu" => Ok(FindTarget::Friction),
-        "boundary" => Ok(FindTarget::Boundary),
+        "half-opening" | "alpha" => Ok(Some(Sought::HalfOpening)),
+        "friction" | "mu" => Ok(Some(Sought::Friction)),
+        "boundary" => Ok(None),
         "thickness" | "eta" => Err("the least thickness is what `couplet state` finds".into()),
         _ => Err(parse::unknown("what is found", text, &["half-opening", "friction", "boundary"])),
     }
@@ -78,20 +71,20 @@ pub fn question(
     let [alpha, mu, angle] = [Field::HalfOpening, Field::Friction, Field::FrictionAngle].map(name);
     let [has_alpha, has_mu, is_thick] = given;
     Ok(match what {
-        FindTarget::HalfOpening => {
+        Some(Sought::HalfOpening) => {
             too_much(&[pair, (has_alpha, alpha)])?;
             let example = "half-opening --thickness 0.15 --friction 0.6";
             let friction =
                 friction.ok_or_else(|| missing(&format!("{mu} (or {angle})"), example))?;
             Question::HalfOpening { friction, thickness: eta }
         }
-        FindTarget::Friction => {
+        Some(Sought::Friction) => {
             too_much(&[pair, (has_mu, mu)])?;
             let example = "friction --half-opening 80deg --thickness 0.1";
             let half_opening = half_opening.ok_or_else(|| missing(&alpha, example))?;
             Question::Friction { half_opening, thickness: eta }
         }
-        FindTarget::Boundary => {
+        None => {
             too_much(&[(is_thick, name(Field::Thickness))])?;
             let example = "boundary rrs/rsr --friction 1.6";
             let line = modes.ok_or_else(|| missing("the pair of modes", example))?;
@@ -116,12 +109,9 @@ pub fn of_ranges(
     asked: &ArchAsked,
     spelling: Spelling,
 ) -> Result<(Sought, SurveyGiven), Failure> {
-    let sought = match target.0 {
-        FindTarget::HalfOpening => Sought::HalfOpening,
-        FindTarget::Friction => Sought::Friction,
-        // One of them refuses the range.
-        FindTarget::Boundary => question(target, asked, spelling)?.sought(),
-    };
+    // Of a boundary, one of them refuses the range.
+    let boundary = || Ok(question(target, asked, spelling)?.sought());
+    let sought = target.0.map_or_else(boundary, Ok::<_, Failure>)?;
     for end in asked.ends()? {
         question(target, &end, spelling)?;
     }
