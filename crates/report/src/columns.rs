@@ -9,7 +9,6 @@ use super::record::{NOTE, Record};
 use super::value_row::ValueRow;
 use super::words::hexadecimal;
 use crate::problem::Quantity;
-use std::borrow::Cow;
 use std::fmt::Display;
 
 /// Question that was asked of an arch, and so which fields it has.
@@ -52,7 +51,7 @@ impl Asked {
 
 /// A column of a table of arches: its name, its quantity, and how it finds its cells.
 pub(super) struct TableColumn<'a> {
-    name: Cow<'static, str>,
+    name: String,
     quantity: Option<Quantity>,
     cell: Column<ValueRow<'a>>,
 }
@@ -155,20 +154,16 @@ impl<'a> TableColumn<'a> {
     }
 
     fn plain((name, cell): NamedColumn<ValueRow<'a>>) -> Self {
-        Self { name: name.into(), quantity: None, cell }
+        Self { name: name.to_owned(), quantity: None, cell }
     }
 
     fn of(quantity: Quantity, end: &str, cell: Column<ValueRow<'a>>) -> Self {
-        let name = match end {
-            "" => quantity.name().into(),
-            end => format!("{}{end}", quantity.name()).into(),
-        };
-        Self { name, quantity: Some(quantity), cell }
+        Self { name: format!("{}{end}", quantity.name()), quantity: Some(quantity), cell }
     }
 
     /// The names of some columns.
     pub(super) fn names(columns: &[Self]) -> Vec<String> {
-        columns.iter().map(|column| column.name.to_string()).collect()
+        columns.iter().map(|column| column.name.clone()).collect()
     }
 
     /// Writes the cell of an answer behind a text.

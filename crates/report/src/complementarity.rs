@@ -195,7 +195,7 @@ impl Reported for ComplementarityArch {
         record.say(format!("Complementarity problem (19) of the {extent} arch"));
         record.say(format!("{}\n", self.asked.with_weight(self.arch.weight())));
         self.asked.add_to(&mut record);
-        record.append(given(&self.arch));
+        record.add_arch(&self.arch);
         let open = self.first_open();
         record.add("verdict", if open.is_some() { "undecided" } else { "proved" });
         record.add("reason", open.map(|open| open.reason.to_string()));
@@ -227,7 +227,7 @@ impl Reported for ComplementarityArch {
             SolutionsFound::Programme(of) => vec![programme::row(of)],
         };
         let row = |mut row: Record| {
-            row.append(given(&self.arch));
+            row.add_arch(&self.arch);
             row.note(self.asked.note());
             row
         };
@@ -235,14 +235,6 @@ impl Reported for ComplementarityArch {
                        outcome until least_value least_value_lower";
         Tabular::of(columns, rows.into_iter().map(row))
     }
-}
-
-fn given(arch: &Arch) -> Record {
-    let mut record = Record::default();
-    record.add("weight", arch.weight().name());
-    record.add("half_opening", arch.half_opening().to_string());
-    record.add("friction", arch.friction().to_string());
-    record
 }
 
 fn solved(solution: &Solution<'_>) -> Record {

@@ -9,7 +9,6 @@ use super::document::document;
 use super::find;
 use super::record::Record;
 use super::rows::{Rows, in_parallel};
-use super::subject::Subject;
 use super::value::Value;
 use super::words::{hexadecimal, labels, printable};
 use crate::problem::Quantity;
@@ -70,22 +69,16 @@ impl Rows for JsonLines {
 fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Record {
     let mut fields = Record::default();
     let asked = Asked::of(answer);
-    fields.add(
-        "schema",
-        match (&answer.subject, asked.assessment) {
-            (Subject::Query { .. }, _) => "couplet.refused/1",
-            (_, true) => "couplet.assess/2",
-            (_, false) => "couplet.state/2",
-        },
-    );
+    let schema = if asked.assessment { "couplet.assess/2" } else { "couplet.state/2" };
+    fields.add("schema", if answer.is_read() { schema } else { "couplet.refused/1" });
     if with_line {
         fields.add("line", answer.subject.line());
     }
     if !answer.kept.is_empty() {
         fields.add_record("kept", Some(columns::kept_fields(&answer.kept)));
     }
-    if let (Subject::Query { .. }, Status::Refused(error)) = (&answer.subject, &answer.status) {
-        fields.add("error", error.as_str());
+    if !answer.is_read() {
+        fields.add("error", answer.fault());
         return fields;
     }
     if let Some(asked) = &answer.asked {

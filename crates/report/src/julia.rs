@@ -1,7 +1,7 @@
 //! Julia: a module of `Float64` and `BigFloat`.
 
 use super::answers::Answers;
-use super::listing::listing;
+use super::listing::{comments, listing};
 use super::names::{Named, preface};
 use super::words::hexadecimal;
 use crate::number::bits_of;
@@ -12,9 +12,7 @@ const GUARD: u32 = 8;
 
 pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "\"\"\"")?;
-    for line in preface(report) {
-        writeln!(out, "{line}")?;
-    }
+    comments(preface(report), "", out)?;
     writeln!(out, "\nNAME_BIG is a `BigFloat` of all digits, at the precision they need.")?;
     writeln!(out, "\"\"\"\nmodule CoupletConstants")?;
     listing(report, "# ", out, |named, out| value(named, report.digits, out))?;

@@ -1,7 +1,7 @@
 //! Python: a module of floats and `Decimal`s.
 
 use super::answers::Answers;
-use super::listing::listing;
+use super::listing::{comments, listing};
 use super::names::{Named, preface};
 use super::words::hexadecimal;
 use std::io;
@@ -15,9 +15,7 @@ from decimal import Decimal
 
 pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     write!(out, "\"\"\"")?;
-    for line in preface(report) {
-        writeln!(out, "{line}")?;
-    }
+    comments(preface(report), "", out)?;
     write!(out, "{NOTES}")?;
     listing(report, "# ", out, value)
 }

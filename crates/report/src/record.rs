@@ -5,7 +5,7 @@ use super::column::{Column, NamedColumn};
 use super::kept::Kept;
 use crate::certify::state::Figure;
 use crate::number::Rounded;
-use crate::problem::Quantity;
+use crate::problem::{Arch, Quantity};
 use serde::{Serialize, Serializer};
 use serde_json::Value as Json;
 use serde_json::value::RawValue;
@@ -123,6 +123,13 @@ impl Record {
         let mut sorted = Self::default();
         all.into_iter().for_each(|(name, record)| sorted.add_record(name, Some(record)));
         self.add_record(name, Some(sorted));
+    }
+
+    /// Adds an arch, as it was given.
+    pub(crate) fn add_arch(&mut self, arch: &Arch) {
+        self.add("weight", arch.weight().name());
+        self.add("half_opening", arch.half_opening().to_string());
+        self.add("friction", arch.friction().to_string());
     }
 
     /// Adds a list of objects.

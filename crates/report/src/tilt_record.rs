@@ -15,9 +15,7 @@ impl Reported for TiltedArch {
         let mut record = Record::of("couplet.tilt/2");
         say(self, &mut record);
         self.asked.add_to(&mut record);
-        record.add("weight", self.arch.weight().name());
-        record.add("half_opening", self.arch.half_opening().to_string());
-        record.add("friction", self.arch.friction().to_string());
+        record.add_arch(&self.arch);
         record.add("thickness", self.thickness.to_string());
         record.add("tilt", self.tilt.to_string());
         record.add("outcome", self.outcome());

@@ -41,24 +41,15 @@ pub struct Understood {
 impl Understood {
     /// The question of these texts, which were read as `given`.
     pub fn new(asked: &ArchAsked, given: &ArchGiven) -> Self {
-        let text = |field| Some((field, asked.get(field)?.trim()));
         let alpha = given.half_opening.as_ref().map(in_degrees);
         let arc = given.measures.as_ref().zip(alpha).map(|(measures, alpha)| {
             (measures.circle(), decided(&alpha, DIGITS).map(|alpha| format!("{alpha} deg")))
         });
-        let words = |(of, text)| in_words(of, text, given) + &in_arc(of, asked, &arc);
-        let words = SAID.into_iter().filter_map(text).map(words);
-        let texts = Field::ALL.iter().copied().filter_map(text);
-        Self {
-            words: words.collect::<Vec<_>>().join(", "),
-            given: texts.map(|(field, text)| (field, text.to_owned())).collect(),
-            note: joined(given.notes()),
-        }
+        Self::of(asked, &arc, given.notes(), |of, text| in_words(of, text, given))
     }
 
     /// The question of these texts, some of which are ranges, which were read as `given`.
     pub fn of_ranges(asked: &ArchAsked, given: &SurveyGiven) -> Self {
-        let text = |field| Some((field, asked.get(field)?.trim()));
         let alphas = given.half_opening().map(|alpha| decided(&in_degrees(&alpha), DIGITS));
         let alphas = match alphas {
             [Some(narrow), Some(wide)] if narrow == wide => Some(format!("{narrow} deg")),
@@ -66,13 +57,22 @@ impl Understood {
             _ => None,
         };
         let arc = given.sizes.as_ref().map(|[of, _]| (of.circle(), alphas));
-        let words = |(of, text)| in_words_of_range(of, text) + &in_arc(of, asked, &arc);
+        Self::of(asked, &arc, notes(&given.friction), in_words_of_range)
+    }
+
+    /// The question of these texts, each in its words, with the circle and the half opening of an arc.
+    fn of(
+        asked: &ArchAsked,
+        arc: &Option<(Circle, Option<String>)>,
+        notes: Vec<String>,
+        words: impl Fn(Field, &str) -> String,
+    ) -> Self {
+        let text = |field| Some((field, asked.get(field)?.trim()));
+        let words = |(of, text)| words(of, text) + &in_arc(of, asked, arc);
+        let words: Vec<String> = SAID.into_iter().filter_map(text).map(words).collect();
         let texts = Field::ALL.iter().copied().filter_map(text);
-        Self {
-            words: SAID.into_iter().filter_map(text).map(words).collect::<Vec<_>>().join(", "),
-            given: texts.map(|(field, text)| (field, text.to_owned())).collect(),
-            note: joined(notes(&given.friction)),
-        }
+        let given = texts.map(|(field, text)| (field, text.to_owned())).collect();
+        Self { words: words.join(", "), given, note: joined(notes) }
     }
 
     /// Words without the self-weight: `half opening 80deg = 1.39626 rad, friction 0.6 = 30.9638 deg`. What stands

@@ -116,14 +116,8 @@ pub const SURVEY: ArchQuestion = ArchQuestion {
 };
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let is_arch = matches!(
-        arguments.target,
-        CertifyTarget::State
-            | CertifyTarget::Arch
-            | CertifyTarget::Survey
-            | CertifyTarget::Asymmetric
-    );
-    if !is_arch && arguments.arch != ArchAsked::default() {
+    let is_landmark = matches!(arguments.target, CertifyTarget::Landmark(_) | CertifyTarget::All);
+    if is_landmark && arguments.arch != ArchAsked::default() {
         return Err("an arch belongs to `state`, `arch`, `survey` and `asymmetric`".into());
     }
     if arguments.target != CertifyTarget::Asymmetric && arguments.mode.is_some() {

@@ -6,11 +6,8 @@ use super::output::Output;
 use super::progress;
 use crate::cli::line::say;
 use crate::sweep::failure::Failure;
-use crate::sweep::scene::{
-    EXAMPLE, Hashing, ItemReport, Plan, SceneItem, SceneRun, explain, read_bytes,
-};
+use crate::sweep::scene::{EXAMPLE, Hashing, Plan, SceneItem, SceneRun, explain, read_bytes};
 use clap::Args;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Compute exactly what a scene asks for, and write it.
@@ -109,7 +106,9 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
                 if path.is_none() && std::mem::replace(&mut printed, true) {
                     writeln!(out)?;
                 }
-                hash = hashed(&report, out)?;
+                let mut hashing = Hashing::new(out);
+                report.write(&mut hashing)?;
+                hash = hashing.hash();
                 Ok(())
             })
         })?;
@@ -129,13 +128,6 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
         return Err([misfits, undecided].concat().join("; ").into());
     }
     Failure::unless_all("proved", &undecided)
-}
-
-/// Writes the report of an item, and answers the hash of all that it wrote.
-fn hashed(report: &ItemReport, out: &mut dyn Write) -> io::Result<String> {
-    let mut hashing = Hashing::new(out);
-    report.write(&mut hashing)?;
-    Ok(hashing.hash())
 }
 
 /// Prints on standard error what a run has computed, as a tree with the cost of each piece.

@@ -9,20 +9,15 @@ use std::io;
 /// Writes one line for each method at each precision: the quartiles of the times and the worst of the rest
 /// over the cases of a quantity.
 pub fn accuracy_table<'a>(rows: &'a [Measurement], out: &mut dyn io::Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "{:<13} {:<34} {:>6} {:>6} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9}",
-        "quantity",
-        "method",
-        "bits",
-        "cases",
-        "CPU time",
-        "25 %",
-        "75 %",
-        "rel. error",
-        "lost",
-        "verdicts"
-    )?;
+    let line = |[quantity, method]: [&str; 2],
+                [bits, cases, times @ .., error, lost, verdict]: [&str; 8]| {
+        let times: String = times.iter().map(|time| format!(" {time:>9}")).collect();
+        format!(
+            "{quantity:<13} {method:<34} {bits:>6} {cases:>6}{times} {error:>10} {lost:>8} {verdict:>9}"
+        )
+    };
+    let titles = ["bits", "cases", "CPU time", "25 %", "75 %", "rel. error", "lost", "verdicts"];
+    writeln!(out, "{}", line(["quantity", "method"], titles))?;
     let key =
         |row: &'a Measurement| (row.quantity.as_str(), row.method.as_str(), row.precision_bits);
     let seen = distinct(rows.iter().map(key));
@@ -45,14 +40,13 @@ pub fn accuracy_table<'a>(rows: &'a [Measurement], out: &mut dyn io::Write) -> i
             writeln!(out)?;
             last = quantity;
         }
-        writeln!(
-            out,
-            "{quantity:<13} {method:<34} {:>6} {:>6} {median:>9} {lower:>9} {upper:>9} {:>10} {:>8} {verdict:>9}",
-            bits.map_or(String::new(), |bits| bits.to_string()),
-            group.len(),
-            power(worst(|row| row.error_relative_log10)),
-            digits(worst(|row| row.digits_lost)),
-        )?;
+        let (bits, cases) =
+            (bits.map_or(String::new(), |of| of.to_string()), group.len().to_string());
+        let error = power(worst(|row| row.error_relative_log10));
+        let lost = digits(worst(|row| row.digits_lost));
+        let cells =
+            [&bits, &cases, &median, &lower, &upper, &error, &lost, &verdict].map(|x| &x[..]);
+        writeln!(out, "{}", line([quantity, method], cells))?;
     }
     let claims = rows
         .iter()

@@ -2,17 +2,8 @@
 
 use super::arch::{VoussoirArch, VoussoirArches};
 use crate::picture::figure::{Axis, Figure, Kind, Panel, PlottedLine, Scale};
-use crate::problem::stones::Stones;
 use crate::words::{apart, model, padded};
 use std::io;
-
-/// The number of equal stones.
-fn count(arch: &VoussoirArch) -> u64 {
-    match arch.stones {
-        Stones::Equal { stones, .. } => stones,
-        Stones::Joints(_) => arch.stones.count(),
-    }
-}
 
 /// The arches of each weight, in the order in which they come.
 fn groups(VoussoirArches { arches, .. }: &VoussoirArches) -> Vec<&[VoussoirArch]> {
@@ -29,7 +20,7 @@ fn title(arches: &[VoussoirArch]) -> String {
 /// A row for each number of stones.
 pub(super) fn rows(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result<()> {
     apart(groups(all), out, |arches, out| {
-        let (first, last) = (count(&arches[0]), count(&arches[arches.len() - 1]));
+        let (first, last) = (arches[0].stones.number(), arches[arches.len() - 1].stones.number());
         writeln!(out, "Arches of {first} to {last} equal stones, {}\n", title(arches))?;
         let text = |arch: &VoussoirArch| match arch.state() {
             Some(state) => state.thickness.to_string(),
@@ -48,7 +39,7 @@ pub(super) fn rows(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result<
             let share = loss.map_or(String::new(), |loss| loss.share.value.to_string());
             let loss = loss.map_or(String::new(), |loss| loss.thickness.value.to_string());
             let mode = arch.state().map_or("", |state| state.mode.label());
-            let row = line(&count(arch).to_string(), mode, &text(arch), [&loss, &share]);
+            let row = line(&arch.stones.number().to_string(), mode, &text(arch), [&loss, &share]);
             writeln!(out, "{row}")?;
         }
         if let Some(continuous) = &arches[0].continuous {
@@ -82,7 +73,7 @@ pub(super) fn figure(all: &VoussoirArches) -> Figure {
     let panel = |arches: &[VoussoirArch]| {
         let share = |arch: &VoussoirArch| {
             let share: f64 = arch.loss.as_ref()?.share.value.to_string().parse().ok()?;
-            Some((count(arch) as f64, share))
+            Some((arch.stones.number() as f64, share))
         };
         let points = |keystone: bool| -> Vec<(f64, f64)> {
             let those = |arch: &&VoussoirArch| arch.stones.has_joint_at_crown() != keystone;
