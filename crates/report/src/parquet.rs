@@ -68,15 +68,17 @@ fn group<R>(
     let texts: Vec<Texts> = columns.iter().map(texts).collect();
     let column = |((name, column), texts): (&NamedColumn<R>, _)| {
         let column = match *column {
-            Text(_) | Made(_) | Shown(_) => ParquetColumn::text(Texts::cells(texts)),
-            Double(cell) => ParquetColumn::double(move |row| cell(&rows[row])),
+            Text(_) | Made(_) | Shown(_) => ParquetColumn::Text(Box::new(Texts::cells(texts))),
+            Double(cell) => ParquetColumn::Double(Box::new(move |row| cell(&rows[row]))),
             Integer(cell) => ParquetColumn::whole(move |row| cell(&rows[row])),
-            Truth(cell) => ParquetColumn::truth(move |row| cell(&rows[row])),
+            Truth(cell) => ParquetColumn::Truth(Box::new(move |row| cell(&rows[row]))),
         };
         ((*name).to_owned(), column)
     };
     let own = columns.iter().zip(&texts).map(column);
-    let kept = kept.iter().map(|(name, texts)| (name.clone(), ParquetColumn::text(texts.cells())));
+    let kept = kept
+        .iter()
+        .map(|(name, texts)| (name.clone(), ParquetColumn::Text(Box::new(texts.cells()))));
     let columns = own.chain(kept).collect();
     file.group(&ParquetTable { rows: rows.len(), again: &[], once, columns })
 }
@@ -115,13 +117,13 @@ impl Rows for ParquetRows {
         let mut bytes = self.write(&held)?;
         let report = &self.report;
         let certificate = "couplet certify LANDMARK --weight WEIGHT --digits DIGITS | sha256sum";
-        let certificate = (report.scope == Scope::Constants).then_some(certificate.to_owned());
+        let certificate =
+            (report.scope == Scope::Constants).then(|| ("certificate", certificate.into()));
         let notes = [
             ("schema", report.schema().to_owned()),
             ("digits", report.digits.to_string()),
             ("about", head(report).join("\n")),
         ];
-        let certificate = certificate.map(|how| ("certificate", how));
         bytes.extend(self.file.end(notes.into_iter().chain(certificate))?);
         Ok(bytes)
     }

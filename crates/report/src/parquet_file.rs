@@ -238,33 +238,8 @@ impl<T: Display> FromIterator<Option<T>> for Texts {
 }
 
 impl<'a> ParquetColumn<'a> {
-    /// Names.
-    pub fn name(cell: impl Fn(usize) -> Option<ByteArray> + 'a) -> Self {
-        Self::Name(Box::new(cell))
-    }
-
-    /// Texts.
-    pub fn text(cell: impl Fn(usize) -> Option<ByteArray> + 'a) -> Self {
-        Self::Text(Box::new(cell))
-    }
-
-    /// Doubles.
-    pub fn double(cell: impl Fn(usize) -> Option<f64> + 'a) -> Self {
-        Self::Double(Box::new(cell))
-    }
-
     /// Whole numbers.
     pub fn whole(cell: impl Fn(usize) -> Option<u64> + 'a) -> Self {
         Self::Whole(Box::new(move |row| i64::try_from(cell(row)?).ok()))
-    }
-
-    /// Whole numbers of one byte.
-    pub fn short(cell: impl Fn(usize) -> Option<i32> + 'a) -> Self {
-        Self::Short(Box::new(cell))
-    }
-
-    /// Statements.
-    pub fn truth(cell: impl Fn(usize) -> Option<bool> + 'a) -> Self {
-        Self::Truth(Box::new(cell))
     }
 }

@@ -17,7 +17,7 @@ pub(super) fn asked<'a>(queries: &'a PartQueries<'a>) -> ParquetTable<'a> {
         PartArches::Grid(_) => None,
     };
     if let Some((file, lines)) = origin {
-        columns.push(("file".into(), ParquetColumn::name(|_| Some(file.clone()))));
+        columns.push(("file".into(), ParquetColumn::Name(Box::new(|_| Some(file.clone())))));
         columns.push(("line".into(), ParquetColumn::whole(move |row| Some(lines[row]))));
     }
     let given = match &queries.arches {
@@ -30,22 +30,22 @@ pub(super) fn asked<'a>(queries: &'a PartQueries<'a>) -> ParquetTable<'a> {
             let column = move |row: usize| &columns[row / length];
             let friction = move |row: usize| &frictions[row % length];
             [
-                ParquetColumn::name(move |row| name(column(row).0)),
-                ParquetColumn::text(move |row| Some(column(row).1.text.clone())),
-                ParquetColumn::text(move |row| Some(friction(row).text.clone())),
-                ParquetColumn::double(move |row| column(row).1.double),
-                ParquetColumn::double(move |row| friction(row).double),
+                ParquetColumn::Name(Box::new(move |row| name(column(row).0))),
+                ParquetColumn::Text(Box::new(move |row| Some(column(row).1.text.clone()))),
+                ParquetColumn::Text(Box::new(move |row| Some(friction(row).text.clone()))),
+                ParquetColumn::Double(Box::new(move |row| column(row).1.double)),
+                ParquetColumn::Double(Box::new(move |row| friction(row).double)),
             ]
         }
         PartArches::Listed(listed) => {
             let Listed { texts: [weights, alphas, mus], doubles: [alpha, mu], .. } =
                 listed.as_ref();
             [
-                ParquetColumn::name(weights.cells()),
-                ParquetColumn::text(alphas.cells()),
-                ParquetColumn::text(mus.cells()),
-                ParquetColumn::double(|row| alpha[row]),
-                ParquetColumn::double(|row| mu[row]),
+                ParquetColumn::Name(Box::new(weights.cells())),
+                ParquetColumn::Text(Box::new(alphas.cells())),
+                ParquetColumn::Text(Box::new(mus.cells())),
+                ParquetColumn::Double(Box::new(|row| alpha[row])),
+                ParquetColumn::Double(Box::new(|row| mu[row])),
             ]
         }
     };
@@ -66,22 +66,22 @@ pub(super) fn answered<'a>(quantities: &[Quantity], found: &'a BatchColumns) -> 
     let verdict = move |row: usize| Some(verdicts[found.verdicts[row] as usize].clone());
     let mode = move |row: usize| modes.get(usize::from(found.modes[row])).cloned();
     let mut columns = vec![
-        ("verdict".to_owned(), ParquetColumn::name(verdict)),
-        ("mode".to_owned(), ParquetColumn::name(mode)),
+        ("verdict".to_owned(), ParquetColumn::Name(Box::new(verdict))),
+        ("mode".to_owned(), ParquetColumn::Name(Box::new(mode))),
     ];
     for (place, quantity) in quantities.iter().enumerate() {
         let name = quantity.name();
         let double = move |row| found.double(place, row);
-        columns.push((name.to_owned(), ParquetColumn::double(double)));
+        columns.push((name.to_owned(), ParquetColumn::Double(Box::new(double))));
         let side = move |row| found.side(place, row);
-        columns.push((format!("{name}_side"), ParquetColumn::short(side)));
+        columns.push((format!("{name}_side"), ParquetColumn::Short(Box::new(side))));
         if let Some(texts) = found.texts.get(place) {
             let text = |row: usize| texts[row].as_deref().map(ByteArray::from);
-            columns.push((format!("{name}_text"), ParquetColumn::text(text)));
+            columns.push((format!("{name}_text"), ParquetColumn::Text(Box::new(text))));
         }
     }
     let reason = |row| found.reasons.get(&row).map(|why| ByteArray::from(why.as_str()));
-    columns.push(("reason".into(), ParquetColumn::text(reason)));
+    columns.push(("reason".into(), ParquetColumn::Text(Box::new(reason))));
     ParquetTable { rows: found.verdicts.len(), again: &[], once: &[], columns }
 }
 
