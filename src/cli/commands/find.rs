@@ -7,7 +7,7 @@ use super::survey;
 use crate::ask::Spelling;
 use crate::certify::state::find::Question;
 use crate::door::find::{self, FindTarget};
-use crate::problem::{Line, Quantity, Sought};
+use crate::problem::{Line, Quantity};
 use crate::report::{Answer, Answers, Scope};
 use crate::sweep::answer;
 use crate::sweep::failure::Failure;
@@ -75,14 +75,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// The quantities that an answer can have: not what is given.
 fn found_by(question: &Question) -> Vec<Quantity> {
     use Quantity as Q;
-    let sought: &[Q] = match question.sought() {
-        Sought::HalfOpening => &[Q::HalfOpening, Q::HalfOpeningDegrees],
-        Sought::Friction => &[Q::Friction],
-    };
     let others: &[Q] = match question {
         Question::HalfOpening { .. } => &[Q::Thrust, Q::RotationJoint, Q::SlidingJoint],
         Question::Friction { .. } => &[],
         Question::Boundary { .. } => &[Q::Thickness, Q::Thrust, Q::RotationJoint, Q::SlidingJoint],
     };
-    [sought, others].concat()
+    [question.sought().quantities(), others].concat()
 }

@@ -223,36 +223,19 @@ fn plane(text: &str) -> Result<Plane, String> {
     Plane::named(text).ok_or_else(|| parse::unknown("a plane", text, &names))
 }
 
-impl DrawnMap {
-    /// The format asked for; else a summary.
-    fn format(&self) -> Result<&'static Format, Failure> {
-        self.file.format(self.format, Map::content(), "table")
-    }
-
-    /// The weights asked for.
-    fn weights(&self, format: &Format) -> Vec<SelfWeight> {
-        let usual: Weights =
-            if format.is_page() { &SelfWeight::ALL } else { &[SelfWeight::Milankovitch] };
-        self.weight.unwrap_or(usual).to_vec()
-    }
-
-    /// The levels asked for.
-    fn contours(&self) -> Vec<Contour> {
-        let openings = self.half_openings.iter().cloned().map(Contour::HalfOpening);
-        let thicknesses = self.thicknesses.iter().cloned().map(Contour::Thickness);
-        let frictions = self.frictions.iter().cloned().map(Contour::Friction);
-        openings.chain(thicknesses).chain(frictions).collect()
-    }
-}
-
 fn all_curves(arguments: &DrawnMap) -> Result<(), Failure> {
-    let format = arguments.format()?;
+    let format = arguments.file.format(arguments.format, Map::content(), "table")?;
     let axes = arguments.axes.axes();
+    let usual: Weights =
+        if format.is_page() { &SelfWeight::ALL } else { &[SelfWeight::Milankovitch] };
+    let openings = arguments.half_openings.iter().cloned().map(Contour::HalfOpening);
+    let thicknesses = arguments.thicknesses.iter().cloned().map(Contour::Thickness);
+    let frictions = arguments.frictions.iter().cloned().map(Contour::Friction);
     let mut asked = MapAsked {
         format,
-        weights: arguments.weights(format),
+        weights: arguments.weight.unwrap_or(usual).to_vec(),
         curves: arguments.curves.iter().flat_map(|CurveNames(curves)| curves).copied().collect(),
-        contours: arguments.contours(),
+        contours: openings.chain(thicknesses).chain(frictions).collect(),
         plane: arguments.plane,
         lines: arguments.lines,
         bare: arguments.bare,

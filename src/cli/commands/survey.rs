@@ -80,11 +80,7 @@ pub(super) fn print_sought(
     arguments: &ArchArguments,
     output: &AnswerOutput,
 ) -> Result<(), Failure> {
-    let all: &[Quantity] = match sought {
-        Sought::HalfOpening => &[Quantity::HalfOpening, Quantity::HalfOpeningDegrees],
-        Sought::Friction => &[Quantity::Friction],
-    };
-    let quantities = output.quantities(all)?;
+    let quantities = output.quantities(sought.quantities())?;
     let digits = arguments.range_digits();
     write((output.file(), output.format()?), (arguments, given), |weight| {
         let found = |arches: &Survey| survey_sought(arches, sought, digits);

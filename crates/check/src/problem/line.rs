@@ -15,7 +15,7 @@
 
 use super::Mode::*;
 use super::system::system;
-use super::{Condition, Landmark, Mode, System};
+use super::{Condition, Landmark, Mode, Quantity, System};
 use crate::arch::{SelfWeight, Unknown};
 use crate::number::{says, shown, worded};
 use std::fmt;
@@ -131,6 +131,16 @@ worded! {
     pub const ALL;
     /// The name used in files and on the command line.
     pub fn name -> &'static str;
+}
+
+impl Sought {
+    /// Quantities in which it is told.
+    pub const fn quantities(self) -> &'static [Quantity] {
+        match self {
+            Self::HalfOpening => &[Quantity::HalfOpening, Quantity::HalfOpeningDegrees],
+            Self::Friction => &[Quantity::Friction],
+        }
+    }
 }
 
 /// Reason why a text names no line.
