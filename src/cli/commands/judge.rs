@@ -13,8 +13,7 @@ use crate::report::{Content, Format, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use crate::sweep::rows::{
-    ArchReader, Columns, GivenRows, Judge, Keep, NumberStyle, Numbered, Purpose, ReadRow, Role,
-    Syntax,
+    ArchReader, Columns, GivenRows, Judge, Keep, Numbered, Purpose, ReadRow, Role, Syntax,
 };
 use clap::Args;
 use std::path::PathBuf;
@@ -112,19 +111,6 @@ pub(crate) struct Arguments {
     output: OutputFile,
 }
 
-impl Arguments {
-    /// Judge of rows with these columns: how it reads their numbers, and what it demands of them.
-    fn judge(&self, columns: Columns, spelling: NumberStyle) -> Judge {
-        let demand = match self.accept {
-            Some(digits) => Demand { digits, or_as_printed: false },
-            None => Demand::USUAL,
-        };
-        let doubles = self.inputs == "double";
-        let weight = self.weight.unwrap_or(SelfWeight::Milankovitch);
-        Judge { reader: ArchReader { columns, weight, doubles, spelling }, demand }
-    }
-}
-
 fn format_help() -> String {
     let each = Format::all(Content::JUDGED).filter(|format| judged::has_rows(format));
     format!(
@@ -176,8 +162,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Syntax::Csv => (vec![true; columns.all.len()], rows),
     };
     let (has_weight, quantities) = claimed(&columns, &seen);
-    let judge = arguments.judge(columns, spelling);
-    let assumed = (arguments.weight.is_none() && !has_weight).then_some(judge.reader.weight);
+    let demand = arguments.accept.map(|digits| Demand { digits, or_as_printed: false });
+    let (weight, doubles) = (arguments.weight, arguments.inputs == "double");
+    let assumed = (weight.is_none() && !has_weight).then_some(SelfWeight::Milankovitch);
+    let weight = weight.unwrap_or(SelfWeight::Milankovitch);
+    let reader = ArchReader { columns, weight, doubles, spelling };
+    let judge = Judge { reader, demand: demand.unwrap_or_default() };
     let mut summary = JudgeSummary::new(judge.demand, assumed, usize::from(arguments.worst));
     let output = arguments.output.open()?;
     let mut complete = false;

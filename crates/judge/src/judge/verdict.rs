@@ -69,6 +69,12 @@ pub struct Demand {
 /// printed: what is rounded to the unsafe side is not right because it is coarse.
 const LEAST_IF_TOO_THIN: CorrectDigits = CorrectDigits::Digits(3);
 
+impl Default for Demand {
+    fn default() -> Self {
+        Self::USUAL
+    }
+}
+
 impl Demand {
     /// Numbers that are right to the digits with which they are printed, of which no program in doubles is
     /// asked for more than 12.

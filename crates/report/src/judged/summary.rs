@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// A summary of all rows.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct JudgeSummary {
     pub(super) demand: Demand,
     /// The weight that was assumed, as neither the rows nor the user said any.
@@ -44,19 +44,7 @@ pub(super) struct QuantitySummary {
 impl JudgeSummary {
     /// Summary of no rows; `kept` is how many of the worst are to be kept.
     pub fn new(demand: Demand, assumed: Option<SelfWeight>, kept: usize) -> Self {
-        Self {
-            demand,
-            assumed,
-            kept,
-            rows: 0,
-            verdicts: BTreeMap::new(),
-            quantities: Vec::new(),
-            thinner: 0,
-            thicker: 0,
-            histogram: BTreeMap::new(),
-            worst: Vec::new(),
-            unjudged: Vec::new(),
-        }
+        Self { demand, assumed, kept, ..Self::default() }
     }
 
     /// Counts a row.
