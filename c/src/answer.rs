@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use couplet::certify::survey::{EndValue, QuantityRange, RangeEnd};
 use couplet::check::{AcceptedFile, visible};
 use couplet::problem::Quantity;
+use couplet::report::words::labels;
 use couplet::report::{self, Answers, Format, Reported, Status, Subject, SurveyedArches, Value};
 use couplet::rug::Float;
 use couplet::rug::float::Round;
@@ -120,8 +121,7 @@ impl Answer {
         let code = if told.is_undecided() { COUPLET_OPEN } else { COUPLET_PROVED };
         let reason = told.reason().map(Cow::into_owned).or_else(|| told.proved_in_words());
         let mut answer = Self::new(code, verdict(told), reason.unwrap_or_default());
-        let labels: Vec<&str> = told.modes.iter().map(|mode| mode.label()).collect();
-        answer.mode = c_text(labels.join("/"));
+        answer.mode = c_text(labels(&told.modes).join("/"));
         answer.values = told.values.iter().map(Known::new).collect();
         let note = told.note.clone();
         answer.whole = Whole::Answers(Box::new(answers));
@@ -135,8 +135,7 @@ impl Answer {
         let reason = open.map(ToString::to_string).unwrap_or_default();
         let answer = Self::new(code, found.outcome()[0], reason);
         let modes = found.found.as_ref().ok().and_then(|found| found.modes.as_ref());
-        let modes = modes.into_iter().flat_map(|modes| &modes.occur);
-        let labels: Vec<&str> = modes.map(|mode| mode.label()).collect();
+        let labels = modes.map_or(Vec::new(), |modes| labels(&modes.occur));
         let whole = Whole::Text(json(found).unwrap_or_default());
         let values = found.ranges().map(Known::between).collect();
         let answer = Self { mode: c_text(labels.join("/")), values, whole, ..answer };

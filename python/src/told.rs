@@ -3,7 +3,8 @@
 use couplet::certify::VoussoirStanding;
 use couplet::certify::state::Figure;
 use couplet::check::AcceptedFile;
-use couplet::problem::{Mode, Quantity};
+use couplet::problem::Quantity;
+use couplet::report::words::labels;
 use couplet::report::{Answer, Sizes, Status, TiltedArch, Value, VoussoirArch};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -22,7 +23,6 @@ fn told(value: &Value) -> Told<'_> {
 /// All of an answer.
 pub(crate) fn answer<'py>(py: Python<'py>, answer: &Answer) -> PyResult<Bound<'py, PyDict>> {
     let all = PyDict::new(py);
-    let labels = |modes: &[Mode]| modes.iter().map(|mode| mode.label()).collect::<Vec<_>>();
     let (landmark, weight) = (answer.subject.landmark(), answer.subject.weight());
     all.set_item("landmark", landmark.map(|landmark| landmark.symbol()))?;
     all.set_item("weight", weight.map(|weight| weight.name()))?;

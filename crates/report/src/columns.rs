@@ -5,7 +5,7 @@ use super::answers::Answers;
 use super::column::Column::{self, Double, Made, Shown};
 use super::column::NamedColumn;
 use super::kept::Kept;
-use super::record::{NOTE, Record};
+use super::record::NOTE;
 use super::value_row::ValueRow;
 use super::words::hexadecimal;
 use crate::problem::Quantity;
@@ -42,7 +42,7 @@ impl Asked {
     }
 
     /// The columns of some names, of those that who asks this is told.
-    fn columns<'a>(self, names: &str) -> Vec<NamedColumn<ValueRow<'a>>> {
+    pub(super) fn columns<'a>(self, names: &str) -> Vec<NamedColumn<ValueRow<'a>>> {
         let mut columns = ValueRow::named(names);
         columns.retain(|(name, _)| self.has(name));
         columns
@@ -72,13 +72,6 @@ fn shown<'r>(at: &'r ValueRow) -> Option<&'r dyn Display> {
         Some(_) => Some(&"undecided"),
         None => Some(at.value?.texts()[0]),
     }
-}
-
-/// The fields of an answer in some columns.
-pub(super) fn fields(names: &str, answer: &Answer, asked: Asked) -> Record {
-    let mut fields = Record::default();
-    fields.add_found(&asked.columns(names), &ValueRow::at(answer, None));
-    fields
 }
 
 /// Columns of numbers that a table of arches has beside what is asked and what is told.
@@ -198,11 +191,4 @@ pub(super) fn kept_cell<'a>(row: &'a [(String, Kept)], name: &str) -> &'a str {
 /// Cells of what is handed on.
 pub(super) fn kept_cells(names: &[String], row: &[(String, Kept)]) -> impl Iterator<Item = String> {
     names.iter().map(|name| kept_cell(row, name).to_owned())
-}
-
-/// The values that are handed on, as one object.
-pub(super) fn kept_fields(row: &[(String, Kept)]) -> Record {
-    let mut kept = Record::default();
-    row.iter().for_each(|(name, value)| kept.keep(name, value));
-    kept
 }

@@ -1,8 +1,7 @@
 //! Given values of an arch, as numbers that every program reads.
 
-use crate::number::{Ball, DoubleDoubleBall, Engine, ExactNumber, Form, nearest_double};
+use crate::number::{Ball, DoubleDoubleBall, Engine, ExactNumber, nearest_double};
 use crate::problem::{Arch, Friction};
-use num_bigint::BigInt;
 
 /// The doubles nearest to what is given, which is exact text; `None` beyond the largest double.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -38,10 +37,8 @@ impl GivenDoubles {
 }
 
 fn degrees(angle: &ExactNumber) -> Option<f64> {
-    if angle.form() == Form::TimesPi {
-        return ExactNumber::rational(angle.factor() * BigInt::from(180)).nearest_double();
-    }
-    nearest_double(in_degrees(angle, 0), |bits| in_degrees(angle, bits))
+    let rounded = || nearest_double(in_degrees(angle, 0), |bits| in_degrees(angle, bits));
+    angle.in_degrees().map_or_else(rounded, |exact| exact.nearest_double())
 }
 
 /// Radians in degrees.

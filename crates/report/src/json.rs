@@ -4,12 +4,13 @@
 
 use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
-use super::columns::{self, Asked, DOUBLES, GIVEN, VERDICT};
+use super::columns::{Asked, DOUBLES, GIVEN, VERDICT};
 use super::document::document;
 use super::find;
 use super::record::Record;
 use super::rows::{Rows, in_parallel};
 use super::value::Value;
+use super::value_row::ValueRow;
 use super::words::{hexadecimal, labels, printable};
 use crate::problem::Quantity;
 use serde::Serialize;
@@ -74,9 +75,7 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Record {
     if with_line {
         fields.add("line", answer.subject.line());
     }
-    if !answer.kept.is_empty() {
-        fields.add_record("kept", Some(columns::kept_fields(&answer.kept)));
-    }
+    fields.keep(&answer.kept);
     if !answer.is_read() {
         fields.add("error", answer.fault());
         return fields;
@@ -86,7 +85,7 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Record {
     }
     let circle = report.are_measured().then_some("measured_at");
     for names in [GIVEN].into_iter().chain(circle).chain([DOUBLES, VERDICT]) {
-        fields.append(columns::fields(names, answer, asked));
+        fields.add_found(&asked.columns(names), &ValueRow::at(answer, None));
     }
     let figure = |value: Option<&Value>| Some(figure(value?, report.have_doubles()));
     let asymmetric = Quantity::AsymmetricThickness;

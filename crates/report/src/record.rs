@@ -163,16 +163,20 @@ impl Record {
         self.0.append(&mut other.0);
     }
 
-    /// Adds what is handed on under a name from outside.
-    pub fn keep(&mut self, name: &str, kept: &Kept) {
-        let text = || Cell::new(kept.text().into());
-        let cell = match kept {
-            Kept::Text(_) => text(),
-            Kept::Json(json) => {
-                RawValue::from_string(json.clone()).map_or_else(|_| text(), Cell::Raw)
-            }
-        };
-        self.put(name.to_owned(), cell);
+    /// Adds what is handed on under names from outside, if anything is.
+    pub(crate) fn keep(&mut self, all: &[(String, Kept)]) {
+        if all.is_empty() {
+            return;
+        }
+        let mut fields = Self::default();
+        for (name, kept) in all {
+            let raw = match kept {
+                Kept::Text(_) => None,
+                Kept::Json(json) => RawValue::from_string(json.clone()).ok(),
+            };
+            fields.put(name.clone(), raw.map_or_else(|| Cell::new(kept.text().into()), Cell::Raw));
+        }
+        self.add_record("kept", Some(fields));
     }
 
     /// Adds what may have been meant otherwise, if anything may.

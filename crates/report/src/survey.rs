@@ -8,7 +8,7 @@ use super::words::{aligned, distinct, labels, list};
 use crate::arch::SelfWeight;
 use crate::ask::{Field, SurveyGiven};
 use crate::certify::Undecided;
-use crate::problem::{Mode, Quantity, Sought};
+use crate::problem::{Quantity, Sought};
 use couplet_survey::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
 use rug::Rational;
 use std::cmp::Reverse;
@@ -166,7 +166,6 @@ impl SurveyedArches {
             record.add_list("measures_alone", self.alone.iter().map(alone));
         }
         if self.tells_modes() {
-            let labels = |modes: &[Mode]| labels(modes);
             let modes = found.and_then(|found| found.modes.as_ref());
             record.add("modes", modes.map_or(Vec::new(), |modes| labels(&modes.occur)));
             record.add("other_modes", modes.map_or(Vec::new(), |modes| labels(&modes.may_occur)));

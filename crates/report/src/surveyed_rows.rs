@@ -3,7 +3,7 @@
 //! Both columns of a quantity are there before the first row is read, and a row without ranges has one value in both:
 //! so a table has one header whatever its rows ask.
 
-use super::columns::{kept_cells, kept_fields, kept_names};
+use super::columns::{kept_cells, kept_names};
 use super::csv::line;
 use super::json;
 use super::kept::Kept;
@@ -107,9 +107,7 @@ impl SurveyedRows {
     fn object(&self, row: &SurveyedRow) -> Record {
         let mut fields = Record::of(if row.is_refused() { "couplet.refused/1" } else { SCHEMA });
         fields.add("line", row.line);
-        if !row.kept.is_empty() {
-            fields.add_record("kept", Some(kept_fields(&row.kept)));
-        }
+        fields.keep(&row.kept);
         match &row.found {
             Ok(found) => fields.append(found.fields()),
             Err(error) => fields.add("error", error.as_str()),

@@ -8,7 +8,7 @@ use super::paper::in_degrees_too;
 use super::sizes;
 use super::subject::Subject;
 use super::tabular::Tabular;
-use super::words::{aligned, count, may_move, model};
+use super::words::{aligned, count, labels, may_move, model};
 use crate::ask::Field;
 use crate::certify::state::Fall;
 use crate::problem::Quantity;
@@ -66,9 +66,8 @@ fn constants(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
 }
 
 fn point(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
-    let modes: Vec<_> = answer.modes.iter().map(|mode| mode.label()).collect();
     writeln!(out, "{}", title(&answer.subject))?;
-    writeln!(out, "   modes that meet here (proved): {}", modes.join(" "))?;
+    writeln!(out, "   modes that meet here (proved): {}", labels(&answer.modes).join(" "))?;
     for (quantity, value) in &answer.values {
         let (name, symbol) = (quantity.name(), quantity.symbol());
         writeln!(out, "   {name:<23} {symbol:<19} {}", value.text())?;
@@ -129,8 +128,7 @@ fn falls(fall: Fall, answer: &Answer, out: &mut dyn io::Write) -> io::Result<()>
 }
 
 fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
-    let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
-    let mode = modes.join(" ");
+    let mode = labels(&answer.modes).join(" ");
     writeln!(out, "stands from the thickness below on: {STANDS}; collapses there as {mode}")?;
     writeln!(out, "proved: one solution, admissible on the whole half arch, none thinner\n")?;
     if measured(asked, answer, out)? {

@@ -3,7 +3,6 @@
 use super::row::{JudgedRow, NUMBER, digits};
 use super::summary::{JudgeSummary, QuantitySummary};
 use crate::arch::SelfWeight;
-use crate::columns::kept_fields;
 use crate::json;
 use crate::judge::{CorrectDigits, Judged, Verdict};
 use crate::record::Record;
@@ -13,9 +12,7 @@ use std::io;
 /// A row; `inf` correct digits are those of an exact number.
 fn entry(row: &JudgedRow) -> Record {
     let mut fields = Record::of("couplet.judged/2");
-    if !row.kept.is_empty() {
-        fields.add_record("kept", Some(kept_fields(&row.kept)));
-    }
+    fields.keep(&row.kept);
     fields.add_found(&JudgedRow::COLUMNS, row);
     let number = |judged: &Judged| {
         let mut fields = Record::default();

@@ -8,7 +8,7 @@ use crate::judge::{
 };
 use crate::number::ExactNumber;
 use crate::problem::{Mode, Quantity};
-use crate::words::reason;
+use crate::words::{labels, reason};
 use std::fmt::Display;
 
 /// A row of results, judged or not.
@@ -78,8 +78,7 @@ impl JudgedRow {
             Standing::Stands(mode) => Some(mode.label().to_owned()),
             Standing::Falls(_) => None,
             Standing::Undecided(doubt) => {
-                let modes: Vec<&str> = doubt.between.iter().map(|mode| mode.label()).collect();
-                Some(modes.join(" ")).filter(|modes| !modes.is_empty())
+                Some(labels(&doubt.between).join(" ")).filter(|modes| !modes.is_empty())
             }
         }
     }
