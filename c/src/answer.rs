@@ -194,9 +194,8 @@ fn verdict(told: &report::Answer) -> &'static str {
             Some(false) => "falls",
             None => "undecided",
         },
+        (Subject::Sought { .. }, _) => told.search(),
         (_, Status::Undecided(_)) => "undecided",
-        (Subject::Sought { .. }, _) if told.stands == Some(false) => "nothing",
-        (Subject::Sought { .. }, _) => "found",
         _ => "proved",
     }
 }

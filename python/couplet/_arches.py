@@ -314,7 +314,7 @@ def find(
     values, weight, digits = _read(arch, half_opening=half_opening, friction=friction)
     texts, given = _arch(values)
     told = _asked(_core.find, _target(what, modes), weight, texts, digits)
-    told["verdict"] = "undecided" if told["status"] == "undecided" else "nothing" if told["stands"] is False else "found"
+    told["verdict"] = told["search"]
     return Found((("modes", _line(modes)), *given, ("weight", weight)), told)
 
 

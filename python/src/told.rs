@@ -30,6 +30,7 @@ pub(crate) fn answer<'py>(py: Python<'py>, answer: &Answer) -> PyResult<Bound<'p
         all.set_item("measured_at", circle.name())?;
     }
     all.set_item("status", answer.status.name())?;
+    all.set_item("search", answer.search())?;
     all.set_item("can_stand", answer.can_stand)?;
     all.set_item("stands", answer.stands)?;
     all.set_item("modes", labels(&answer.modes))?;

@@ -202,6 +202,7 @@ def test_what_is_found_over_arrays():
     found = couplet.finds("friction", half_opening=[1.3, 1.3, 4.0, np.nan], thickness=[0.1, 0.01, 0.1, 0.1], threads=2)
     assert [couplet.FOUND[code] for code in found["verdict"]] == ["found", "nothing", "refused", "refused"]
     assert np.isnan(found["value"][1:]).all() and np.isnan(found["value_upper"][1:]).all()
+    assert couplet.FOUND[couplet.finds("boundary", "rsr/rs", half_opening=1.0)["verdict"].item()] == "nothing"
     line = couplet.finds("boundary", ("[r,r,s]", "[r,s,r]"), friction=np.array([1.6, 1.7]))
     assert line["value"][0] == couplet.find("boundary", "rrs/rsr", friction=1.6, digits=17).value.double
     told = []

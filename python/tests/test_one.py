@@ -132,6 +132,8 @@ def test_find():
     assert "no wider one" in found.proved
     line = couplet.find("boundary", "rrs/rsr", friction="1.6", digits=10)
     assert line.modes == ("[r,r,s]", "[r,s,r]")
+    none = couplet.find("boundary", "rsr/rs", half_opening=1.0)
+    assert (none.verdict, none.value) == ("nothing", None) and "there is none" in none.proved
     again = couplet.find("boundary", list(line.modes), friction="1.6", digits=10)
     assert again.value == line.value and again in {again}
     nothing = couplet.find("friction", half_opening="80deg", thickness="0.01")

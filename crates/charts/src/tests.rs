@@ -1,6 +1,6 @@
 use super::*;
 use crate::arch::SelfWeight;
-use crate::atlas::{Contour, Curve, Level, Trace};
+use crate::atlas::{Curve, Level, Trace};
 use crate::number::ExactNumber;
 use crate::picture::Print;
 use crate::problem::{Arch, Mode};

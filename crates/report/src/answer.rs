@@ -410,6 +410,15 @@ impl Answer {
         self.first_open().is_some()
     }
 
+    /// What became of a search in a word: "nothing" is proved.
+    pub fn search(&self) -> &'static str {
+        match (&self.status, self.values.is_empty()) {
+            (Status::Undecided(_), _) => "undecided",
+            (_, true) => "nothing",
+            (_, false) => "found",
+        }
+    }
+
     /// First question that could not be told, and why: all of it, or the first quantity that stays open.
     pub fn first_open(&self) -> Option<Undecided> {
         match &self.status {
