@@ -9,8 +9,8 @@ use crate::report::words::list;
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 
-/// Target of a search: the widest half opening that stands, the least friction with which an arch stands, or with `None`
-/// the place where one mode becomes another.
+/// Target of a search: the widest half opening that stands, the least friction with which an arch stands, or with
+/// `None` the place where one mode becomes another.
 pub type FindTarget = Option<Sought>;
 
 /// Target of a name.

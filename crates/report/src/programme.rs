@@ -87,7 +87,7 @@ impl ProgrammeFound {
     }
 }
 
-/// How it is known that there is nothing else.
+/// Proof that there is nothing else.
 const COMPLETE: &str = "complete for these joints: all pairs of conditions are looked at, in balls";
 /// Words where no rates fit.
 const NO_RATES: [&str; 2] = [

@@ -1,5 +1,5 @@
-//! A value of an answer as a row: in Parquet, in CSV of landmarks, in the document that lists each value; and the answer
-//! itself, whose columns JSON and tables of arches share.
+//! A value of an answer as a row: in Parquet, in CSV of landmarks, in the document that lists each value; and the
+//! answer itself, whose columns JSON and tables of arches share.
 
 use super::answer::Answer;
 use super::column::Column::{Double, Integer, Made, Shown, Text, Truth};

@@ -1,7 +1,6 @@
 //! Every row with its verdict, as CSV.
 
-use super::JudgedColumns;
-use super::row::{JudgedRow, NUMBER};
+use super::row::{JudgedColumns, JudgedRow, NUMBER};
 use crate::column::NamedColumn;
 use crate::columns::{kept_cell, kept_names};
 use crate::csv::line;

@@ -8,18 +8,14 @@ mod summary;
 mod words;
 
 pub use assemblies::JudgedAssemblies;
-pub use row::JudgedRow;
+pub use row::{JudgedColumns, JudgedRow};
 pub use summary::JudgeSummary;
 pub use words::verdicts;
 
 use crate::format::{Content, Format};
-use crate::problem::Quantity;
 use crate::record::Record;
 use crate::reported::Reported;
 use std::io;
-
-/// Quantities that have columns, and the names of what is handed on.
-pub type JudgedColumns<'a> = (&'a [Quantity], &'a [String]);
 
 /// Tells whether a format has rows as they come: CSV, and JSON lines (`couplet.judged/2`).
 pub fn has_rows(format: &Format) -> bool {

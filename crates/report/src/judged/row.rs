@@ -11,6 +11,9 @@ use crate::problem::{Mode, Quantity};
 use crate::words::{labels, reason};
 use std::fmt::Display;
 
+/// Quantities that have columns, and the names of what is handed on.
+pub type JudgedColumns<'a> = (&'a [Quantity], &'a [String]);
+
 /// A row of results, judged or not.
 #[derive(Clone, Debug)]
 pub struct JudgedRow {
