@@ -26,7 +26,7 @@ claims! {
          do not exist";
 }
 
-/// What is proved with directions: outside of the rectangle, and in it.
+/// Directions, with the proofs outside of the rectangle and in it.
 type DecidedDirections = (Directions, Checked<usize>, Checked<[usize; 2]>);
 
 /// Results for each weight, each decided once.

@@ -1,6 +1,6 @@
 //! Content of a row of results.
 
-use super::number::Possible;
+use super::possible::Possible;
 use super::printed::PrintedNumber;
 use crate::certify::Refused;
 use crate::number::{Decimal, ExactNumber, says, shown as short};

@@ -27,6 +27,7 @@
 //! | [`published`] | the numbers that the paper prints |
 //! | `printed` | a printed number: its error, and how good its last place is |
 //! | `claim` | what a row says |
+//! | `possible` | a number that an arch may have or not |
 //! | `comparable` | what a printed number is compared with |
 //! | `truth` | what is proved of a quantity |
 //! | `number` | one number against its enclosure |
@@ -38,6 +39,7 @@ mod boundary;
 mod claim;
 mod comparable;
 mod number;
+mod possible;
 mod printed;
 pub mod published;
 mod truth;
@@ -48,6 +50,7 @@ pub use audit::{
 };
 pub use boundary::Boundary;
 pub use claim::{ClaimError, Claimed, RowClaim, Said};
-pub use number::{Certified, CorrectDigits, Errors, Judged, Possible};
+pub use number::{Certified, CorrectDigits, Errors, Judged};
+pub use possible::Possible;
 pub use printed::PrintedVerdict;
 pub use verdict::{Demand, ErrorSide, Judgement, Standing, Verdict, judge};

@@ -2,6 +2,7 @@
 
 use super::claim::Claimed;
 use super::comparable::Comparable;
+use super::possible::Possible;
 use super::printed::{KnownValue, PrintedNumber, PrintedVerdict, correct_digits, spacing};
 use super::truth::Truth;
 use crate::number::{Ball, Decimal, DoubleDoubleBall, ExactNumber, Rounded, nearest_double};
@@ -32,29 +33,8 @@ pub struct Judged {
     pub order: Option<Ordering>,
 }
 
-/// A number of an arch, as it is claimed, known or certified.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Possible<T> {
-    /// The value.
-    Finite(T),
-    /// Unbounded.
-    Infinite,
-    /// The arch has no such number.
-    Missing,
-}
-
 /// The certified value of a number: correctly rounded, with outward bounds.
 pub type Certified = Possible<Rounded>;
-
-impl<T> Possible<T> {
-    /// The value, where it is finite.
-    pub fn finite(&self) -> Option<&T> {
-        match self {
-            Self::Finite(value) => Some(value),
-            Self::Infinite | Self::Missing => None,
-        }
-    }
-}
 
 /// Distance of a claim from the truth: each correctly rounded to three digits.
 #[derive(Clone, Debug)]

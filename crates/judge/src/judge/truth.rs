@@ -1,7 +1,7 @@
 //! Truth of a quantity that somebody claims.
 
 use super::comparable::Comparable;
-use super::number::Possible;
+use super::possible::Possible;
 use super::printed::KnownValue;
 use crate::certify::Answered;
 use crate::certify::state::{Assessment, Outcome};
