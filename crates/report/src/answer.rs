@@ -410,7 +410,7 @@ impl Answer {
         self.first_open().is_some()
     }
 
-    /// What became of a search in a word: "nothing" is proved.
+    /// Outcome of a search in a word; that there is "nothing" is proved.
     pub fn search(&self) -> &'static str {
         match (&self.status, self.values.is_empty()) {
             (Status::Undecided(_), _) => "undecided",

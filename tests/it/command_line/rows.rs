@@ -163,6 +163,17 @@ fn what_would_be_dropped_in_error_is_refused() {
     let found = objects("", format!("{{{ARCH},\"thicknes\":1}}\n{{{ARCH},\"mu\":1}}\n"));
     assert!(found[0]["error"].as_str().unwrap().contains("did you mean 'thickness'?"));
     assert!(found[1]["error"].as_str().unwrap().contains("'friction' and 'mu' are the same"));
+    // In other units too, but for those that a sample has of one half opening.
+    for (head, a, b) in [
+        ("alpha,alpha_deg,mu", "alpha", "alpha_deg"),
+        ("mu,mu_deg,alpha", "mu", "mu_deg"),
+        ("alpha,mu,eta,eta_m", "eta", "eta_m"),
+    ] {
+        let table = format!("{head}\n{}\n", vec!["1"; head.split(',').count()].join(","));
+        let scratch = Scratch::new();
+        scratch.write("rows.csv", table);
+        refused(["states", &scratch.path("rows.csv")], "", &format!("'{a}' and '{b}'"));
+    }
 }
 
 /// What one arch may be asked and no row is must not be dropped: without it the answer would be that of another arch.

@@ -110,9 +110,10 @@ impl Columns {
         let is_least = is_ours && has("can_stand") && !has("least_thickness");
         let is_told = is_ours && has("half_opening") && !has("span") && !has("radius");
         move |column| match column.role {
-            // Of what is told nothing is asked, nor again of what is there without a unit.
+            // Of what is told nothing is asked again in another unit, nor of what a sample has in several.
             _ if !column.unit.is_empty() && !is_named => {
-                !is_ours && !column.role.names(Purpose::Ask).into_iter().any(&has)
+                let name = column.role.name();
+                !is_ours && !(has(name) && column.theirs.starts_with(name))
             }
             Role::Given(Field::Thickness) => !is_least,
             Role::Given(Field::MeasuredAt) => !is_told,
