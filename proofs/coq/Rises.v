@@ -273,11 +273,9 @@ Proof.
     set (L := 1 - h) in *. replace h with (1 - L) in * by (unfold L; ring).
     assert (0 < L < 0.63) by (unfold L in *; nra). assert (0 <= (1 - L) * (y ^ 2 - 4 * L)) by positive.
     assert (Q' : A y * (L + tau / 2) <= 2 * (L + tau / 2)) by (apply Rmult_le_compat_r; lra).
-    assert (Q'' : (1 - L) * tau <= 3 / 4 * L ^ 2) by lra. apply (Rmult_lt_reg_l (1 - L)); [lra |].
-    assert (0 < L * (1 - 3 / 4 * L - L ^ 2)) by positive.
+    apply (Rmult_lt_reg_l (1 - L)); [lra |]. assert (0 < L * (1 - 3 / 4 * L - L ^ 2)) by positive.
     assert (0 < (1 - L) * (A y * (tau * asked_slope x tau) + (2 * L + tau))) by (apply Rmult_lt_0_compat; lra). lra.
-  - assert (sin y <= 1 - cos y).
-    { assert (cos y <= 0) by (apply cos_le_0; lra). destruct (SIN_bound y). lra. }
+  - assert (cos y <= 0) by (apply cos_le_0; lra). assert (sin y <= 1 - cos y) by (destruct (SIN_bound y); lra).
     assert (A y <= y). { apply (Rmult_le_reg_r (1 - cos y)); [easy |]. unfold A.
                          replace (y * sin y / (1 - cos y) * (1 - cos y)) with (y * sin y) by (field; lra).
                          apply Rmult_le_compat_l; lra. }

@@ -1,5 +1,4 @@
-//! An answer about one arch, with the asymmetric solutions that are known of it and, in metres, its sizes; or about a
-//! landmark, or what is found: for every door.
+//! Answers about arches, landmarks and what is found, with asymmetric solutions and sizes: for every door.
 
 use crate::arch::SelfWeight;
 use crate::certify::state::find::{Question, find};
