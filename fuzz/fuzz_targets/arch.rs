@@ -4,7 +4,6 @@
 
 use couplet_ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven};
 use couplet_check::arch::SelfWeight;
-use couplet_check::problem::Quantity;
 use couplet_fuzz::is_told;
 use couplet_number::number::ExactNumber;
 use libfuzzer_sys::fuzz_target;

@@ -125,8 +125,9 @@ impl TiltSearch {
             let margin = |joint: &f64| self.margin(*contact, *joint, state);
             let margins: Vec<f64> =
                 joints.iter().map(|joint| margin(joint).value().to_owned()).collect();
-            for j in 1..JOINTS - 1 {
-                if margins[j] > margins[j - 1] || margins[j] > margins[j + 1] {
+            for j in 0..JOINTS {
+                let (before, after) = (j.saturating_sub(1), (j + 1).min(JOINTS - 1));
+                if margins[j] > margins[before] || margins[j] > margins[after] {
                     continue;
                 }
                 let mut lowest = joints[j];
@@ -135,7 +136,7 @@ impl TiltSearch {
                     let (slope, bend) = (here.coefficient(1), here.coefficient(2));
                     if bend > 0.0 {
                         lowest -= (slope / (2.0 * bend)).clamp(-step, step);
-                        lowest = lowest.clamp(joints[j - 1], joints[j + 1]);
+                        lowest = lowest.clamp(joints[before], joints[after]);
                     }
                 }
                 if *margin(&lowest).value() < -ROUNDING {

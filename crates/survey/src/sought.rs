@@ -76,15 +76,13 @@ fn at_corner(
     digits: usize,
 ) -> Result<DecidedSide, Error> {
     let (arch, thickness) = (&at.arch, at.thickness.clone());
-    let (question, quantities): (_, &[Quantity]) = match of {
-        Sought::HalfOpening => (
-            Question::HalfOpening { friction: arch.friction().clone(), thickness },
-            &[Quantity::HalfOpening, Quantity::HalfOpeningDegrees],
-        ),
-        Sought::Friction => (
-            Question::Friction { half_opening: arch.half_opening().clone(), thickness },
-            &[Quantity::Friction],
-        ),
+    let question = match of {
+        Sought::HalfOpening => {
+            Question::HalfOpening { friction: arch.friction().clone(), thickness }
+        }
+        Sought::Friction => {
+            Question::Friction { half_opening: arch.half_opening().clone(), thickness }
+        }
     };
     let finding = find(arch.weight(), &question, digits)?;
     let is_upper = (of == Sought::HalfOpening) == (side == Side::Safe);
@@ -100,6 +98,6 @@ fn at_corner(
         };
         Ok((*quantity, RangeEnd::attained(value, &at)))
     };
-    let ends = quantities.iter().map(end).collect::<Result<_, Undecided>>()?;
+    let ends = of.quantities().iter().map(end).collect::<Result<_, Undecided>>()?;
     Ok((at, ends))
 }

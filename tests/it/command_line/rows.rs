@@ -168,6 +168,8 @@ fn what_would_be_dropped_in_error_is_refused() {
         ("alpha,alpha_deg,mu", "alpha", "alpha_deg"),
         ("mu,mu_deg,alpha", "mu", "mu_deg"),
         ("alpha,mu,eta,eta_m", "eta", "eta_m"),
+        ("alpha,friction,friction_deg", "friction", "friction_deg"),
+        ("span,span_m,rise,mu", "span", "span_m"),
     ] {
         let table = format!("{head}\n{}\n", vec!["1"; head.split(',').count()].join(","));
         let scratch = Scratch::new();

@@ -131,9 +131,12 @@ fn boxed(witness: &Witness) -> String {
 
 /// A value as all its digits and a power of ten.
 fn value(value: &ValueFile, digits: usize) -> String {
-    let written = match decimal(&value.value, digits) {
-        Some((all, exponent)) => format!("Decimal {all} ({exponent})"),
-        None => "Infinite".to_owned(),
+    let written = if value.value == "inf" {
+        "Infinite".to_owned()
+    } else {
+        // What is no number is no term, which Coq refuses.
+        let (all, exponent) = decimal(&value.value, digits).unwrap_or_default();
+        format!("Decimal {all} ({exponent})")
     };
     format!("({}, {written})", quantity(&value.quantity))
 }

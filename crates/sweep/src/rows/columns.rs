@@ -110,10 +110,9 @@ impl Columns {
         let is_least = is_ours && has("can_stand") && !has("least_thickness");
         let is_told = is_ours && has("half_opening") && !has("span") && !has("radius");
         move |column| match column.role {
-            // Of what is told nothing is asked again in another unit, nor of what a sample has in several.
+            // Of what is told nothing is asked again in another unit, nor of the half openings that a sample has in three.
             _ if !column.unit.is_empty() && !is_named => {
-                let name = column.role.name();
-                !is_ours && !(has(name) && column.theirs.starts_with(name))
+                !is_ours && !(has("half_opening") && column.theirs.starts_with("half_opening"))
             }
             Role::Given(Field::Thickness) => !is_least,
             Role::Given(Field::MeasuredAt) => !is_told,
