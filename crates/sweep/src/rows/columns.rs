@@ -110,9 +110,10 @@ impl Columns {
         let is_least = is_ours && has("can_stand") && !has("least_thickness");
         let is_told = is_ours && has("half_opening") && !has("span") && !has("radius");
         move |column| match column.role {
-            // Of what is told nothing is asked again in another unit, nor of the half openings that a sample has in three.
+            // Of what is told nothing is asked again in another unit; a sample tells half openings in three.
             _ if !column.unit.is_empty() && !is_named => {
-                !is_ours && !(has("half_opening") && column.theirs.starts_with("half_opening"))
+                let is_again = has("half_opening") && column.theirs.starts_with("half_opening");
+                !is_ours && !is_again
             }
             Role::Given(Field::Thickness) => !is_least,
             Role::Given(Field::MeasuredAt) => !is_told,
@@ -418,13 +419,15 @@ mod tests {
             let unit = |k: usize| columns.all[places.iter().position(|p| *p == k).unwrap()].unit;
             assert_eq!([0, 1, 2].map(unit), units, "{header:?}");
         }
-        assert_eq!(places("alpha,alpha_deg,mu").unwrap(), [0, 2], "what is told beside it");
+        let told = places("half_opening,half_opening_deg,mu").unwrap();
+        assert_eq!(told, [0, 2], "what is told beside it");
     }
 
     #[test]
     fn what_has_two_meanings_is_refused() {
         for (header, why) in [
             ("alpha,half_opening,mu", "'half_opening' and 'alpha', which are the same"),
+            ("alpha,alpha_deg,mu", "'alpha' and 'alpha_deg', which are the same"),
             ("alpha,mu,mu", "two columns 'mu'"),
             ("alpha,Alpha,mu", "two columns 'alpha'"),
             ("alpha,mu,eta,thickness", "'thickness' and 'eta', which are the same"),
