@@ -413,9 +413,9 @@ impl Answer {
     /// Outcome of a search in a word; that there is "nothing" is proved.
     pub fn search(&self) -> &'static str {
         match (&self.status, self.values.is_empty()) {
-            (Status::Undecided(_), _) => "undecided",
-            (_, true) => "nothing",
-            (_, false) => "found",
+            (Status::Undecided(_) | Status::Refused(_), _) => self.status.name(),
+            (Status::Proved | Status::Falls(_), true) => "nothing",
+            (Status::Proved | Status::Falls(_), false) => "found",
         }
     }
 

@@ -2,6 +2,11 @@
 
 use super::{Field, Real};
 
+/// The `e` with `2^e <= x < 2^(e+1)`, for positive doubles; of those that are not normal, and of zero, the one below.
+pub(super) fn exponent(x: f64) -> i32 {
+    (x.to_bits() >> 52) as i32 - 1023
+}
+
 impl Field for f64 {
     fn int(&self, n: i32) -> Self {
         f64::from(n)

@@ -28,6 +28,7 @@
 //! less than `2^-1069`, and that of a quotient, whose divisor is above [`LEAST`](Edge::LEAST) `= 2^-60`, by less than
 //! `2^-1000`, as does a term of the radius. [`TINY`](Edge::TINY) `= 2^-990` has room for them.
 
+use super::double::exponent;
 use super::double_sine::{self, sin_cos};
 #[cfg(feature = "mpfr")]
 use super::gmp::{TripleWord, triple_word_sine};
@@ -383,9 +384,7 @@ impl<M: Midpoint> Stumpff for FloatBall<M> {
         }
         // As for balls of MPFR: what follows the terms is within |u| of one.
         let tail = self.int(1).widened(size);
-        // A size below the least normal double is below that.
-        let exponent = (size.to_bits() >> 52) as i64 - 1022;
-        from_series(self, count, terms(M::BITS, exponent), &tail)
+        from_series(self, count, terms(M::BITS, i64::from(exponent(size)) + 1), &tail)
     }
 }
 

@@ -42,14 +42,14 @@ impl Index {
 
     /// Verdict on a sentence.
     fn verdict(&self, sentence: &Sentence) -> &'static str {
-        match decided(sentence) {
-            "audit" => "digits",
-            "claims" => {
+        match sentence.decided {
+            Decided::Audit => "digits",
+            Decided::Claims(_) => {
                 let found = self.claims(sentence);
                 let is_found = |word: &&&str| found.iter().any(|(_, other)| other == *word);
                 VERDICTS.iter().find(is_found).copied().unwrap_or("undecided")
             }
-            other => other,
+            Decided::Opinion | Decided::Reading(..) | Decided::Open(_) => decided(sentence),
         }
     }
 

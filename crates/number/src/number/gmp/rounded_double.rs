@@ -2,7 +2,7 @@
 //! in integers of fixed length, without a heap.
 
 use super::{Ball, Decimal, Rounded, TripleWordBall};
-use crate::number::DoubleDoubleBall;
+use crate::number::{DoubleDoubleBall, double::exponent};
 
 /// Digits beyond this are left to balls of MPFR.
 const MOST_DIGITS: usize = 33;
@@ -72,11 +72,6 @@ fn rounded(is_negative: bool, floor: i128, scale: i32, rad: f64, digits: usize) 
         Decimal::new(is_negative, text, exponent.into())
     };
     Some(Rounded::between([decimal(below), decimal(below + 1)], last >= 5, is_negative))
-}
-
-/// The `e` with `2^e <= x < 2^(e+1)`, for normal positive doubles.
-fn exponent(x: f64) -> i32 {
-    (x.to_bits() >> 52) as i32 - 1023
 }
 
 /// `floor(x 2^scale)`; `None` for a subnormal number, or where the result does not fit.
