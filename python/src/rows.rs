@@ -3,6 +3,7 @@
 use crate::asked::warn;
 use crate::pool::{is_short, on_threads};
 use crate::{CoupletError, asked};
+use bytemuck::{cast_slice, pod_collect_to_vec};
 use couplet::ask::{ArchAsked, Field, Spelling, array_note, notes};
 use couplet::certify::Refused;
 use couplet::certify::batch::{DoubleArches, DoubleUnits};
@@ -13,18 +14,6 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
 use rayon::prelude::*;
-
-/// The doubles of an array, in the order of bytes of this machine.
-pub(crate) fn doubles(bytes: &[u8]) -> Vec<f64> {
-    bytes.as_chunks().0.iter().map(|bytes| f64::from_ne_bytes(*bytes)).collect()
-}
-
-/// Doubles as the bytes of an array.
-pub(crate) fn of_array(doubles: &[f64]) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(size_of_val(doubles));
-    doubles.iter().for_each(|x| bytes.extend_from_slice(&x.to_ne_bytes()));
-    bytes
-}
 
 /// The bytes of an array.
 pub(crate) type Bytes<'py> = Bound<'py, PyBytes>;
@@ -52,10 +41,10 @@ pub(crate) fn states<'py>(
     let weight = parse::weight(weight).map_err(CoupletError::new_err)?;
     let quantities = quantities(&names, arrays.2.is_some())?;
     let is_short = is_short(arrays.0.len() / size_of::<f64>(), &quantities);
-    warn(py, array_note(&doubles(&arrays.1)))?;
+    let [half_openings, frictions] = [&arrays.0, &arrays.1].map(|bytes| pod_collect_to_vec(bytes));
+    let thicknesses = arrays.2.as_deref().map(pod_collect_to_vec);
+    warn(py, array_note(&frictions))?;
     let answer = move || {
-        let [half_openings, frictions] = [&arrays.0, &arrays.1].map(|bytes| doubles(bytes));
-        let thicknesses = arrays.2.as_deref().map(doubles);
         let arches = DoubleArches {
             weight,
             half_openings: &half_openings,
@@ -63,16 +52,13 @@ pub(crate) fn states<'py>(
             thicknesses: thicknesses.as_deref(),
             units: DoubleUnits::default(),
         };
-        let columns = arches.columns(&quantities)?;
-        let values = columns.values.iter().map(|bounds| bounds.each_ref().map(|x| of_array(x)));
-        Ok((columns.verdict_codes(), columns.modes, values.collect::<Vec<_>>()))
+        arches.columns(&quantities)
     };
     let found = if is_short { py.detach(answer) } else { on_threads(py, threads, answer)? };
-    let (verdicts, modes, values) =
-        found.map_err(|refused: Refused| CoupletError::new_err(refused.to_string()))?;
-    let bytes = |column: &Vec<u8>| PyBytes::new(py, column);
-    let values = values.iter().map(|columns| columns.iter().map(bytes).collect()).collect();
-    Ok((bytes(&verdicts), bytes(&modes), values))
+    let found = found.map_err(|refused: Refused| CoupletError::new_err(refused.to_string()))?;
+    let bytes = |column: &Vec<f64>| PyBytes::new(py, cast_slice(column));
+    let values = found.values.iter().map(|columns| columns.iter().map(bytes).collect()).collect();
+    Ok((PyBytes::new(py, &found.verdict_codes()), PyBytes::new(py, &found.modes), values))
 }
 
 /// Digits with which the nearest double is told.

@@ -3,7 +3,8 @@
 use crate::CoupletError;
 use crate::asked::warn;
 use crate::pool::{is_short, on_threads};
-use crate::rows::{Bytes, doubles, of_array, quantities};
+use crate::rows::{Bytes, quantities};
+use bytemuck::{cast_slice, pod_collect_to_vec};
 use couplet::arch::SelfWeight;
 use couplet::ask::{Field, array_note, notes};
 use couplet::certify::Refused;
@@ -34,7 +35,7 @@ pub(crate) enum Column {
 }
 
 fn of_bytes(bytes: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
-    Ok(doubles(&bytes.extract::<PyBackedBytes>()?))
+    Ok(pod_collect_to_vec(&bytes.extract::<PyBackedBytes>()?))
 }
 
 /// Verdicts and modes, for each quantity the nearest doubles and the sides of the true values, as bytes of arrays; and
@@ -59,21 +60,23 @@ pub(crate) fn table<'py>(
     warn(py, table.note())?;
     let answer = move || {
         let found = table.answers(&quantities)?;
-        let values = (0..quantities.len()).map(|quantity| {
-            let [numbers, ..] = &found.values[quantity];
+        let sides = |quantity| {
             let side = |row| found.side(quantity, row).and_then(|side| i8::try_from(side).ok());
-            let sides = (0..numbers.len()).map(|row| side(row).unwrap_or(NO_SIDE).cast_unsigned());
-            (of_array(numbers), sides.collect::<Vec<u8>>())
-        });
-        let values = values.collect::<Vec<_>>();
-        Ok((found.verdict_codes(), found.modes, values, found.reasons.into_iter().collect()))
+            let rows = 0..found.verdicts.len();
+            rows.map(|row| side(row).unwrap_or(NO_SIDE)).collect::<Vec<i8>>()
+        };
+        let sides = (0..quantities.len()).map(sides).collect::<Vec<_>>();
+        Ok((found, sides))
     };
     let found = if is_short { py.detach(answer) } else { on_threads(py, threads, answer)? };
-    let (verdicts, modes, values, reasons) =
+    let (found, sides) =
         found.map_err(|refused: Refused| CoupletError::new_err(refused.to_string()))?;
-    let bytes = |column: &[u8]| PyBytes::new(py, column);
-    let values = values.iter().map(|(numbers, sides)| (bytes(numbers), bytes(sides))).collect();
-    Ok((bytes(&verdicts), bytes(&modes), values, reasons))
+    let values = found.values.iter().zip(&sides).map(|([numbers, ..], sides)| {
+        (PyBytes::new(py, cast_slice(numbers)), PyBytes::new(py, cast_slice(sides)))
+    });
+    let (verdicts, modes) = (found.verdict_codes(), PyBytes::new(py, &found.modes));
+    let values = values.collect();
+    Ok((PyBytes::new(py, &verdicts), modes, values, found.reasons.into_iter().collect()))
 }
 
 /// Why a column asks what no row of a table is asked; nothing of other names.

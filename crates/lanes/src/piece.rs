@@ -100,7 +100,8 @@ impl<const IN: usize, const OUT: usize> LanePiece<IN, OUT> {
             let [high, low, rad] = column.each_ref().map(|part| part[place]);
             DoubleDoubleBall::new(DoubleDouble::sum(high, low), rad)
         };
-        let all = self.found.each_ref().map(value);
+        let is_proved = self.found.iter().all(|[.., radii]| radii[place].is_finite());
+        let all = is_proved.then(|| self.found.each_ref().map(value))?;
         all.iter().all(Enclosure::is_bounded).then_some(all)
     }
 }

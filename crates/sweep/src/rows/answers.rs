@@ -67,8 +67,7 @@ impl RowQuestion {
             let eta = eta.as_ref().map(SharedOpening::enclosed_number);
             Some((arch.weight(), (SharedOpening::enclosed_arch(arch), eta)))
         };
-        let all: Vec<_> = all.iter().map(row).collect();
-        answers_in_lanes(&all, self.digits, &self.quantities, self.remedies)
+        answers_in_lanes(all.iter().map(row), self.digits, &self.quantities, self.remedies)
     }
 
     /// The answer to a row, of which something may be known.

@@ -1,7 +1,7 @@
 //! Arches that are there, by rows, and the threads that answer them.
 
 use crate::arch::SelfWeight;
-use crate::certify::state::InLanes;
+use crate::certify::state::{InLanes, LaneColumns};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use rayon::prelude::*;
@@ -21,9 +21,9 @@ pub trait BatchArches: Sync {
     /// The weight of a row, with its numbers in enclosures, where they are known; these need not be those of an arch.
     fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)>;
 
-    /// Weights and enclosures of rows that follow each other.
-    fn many_in_lanes(&self, rows: Range<usize>) -> Vec<Option<(SelfWeight, InLanes)>> {
-        rows.map(|row| self.in_lanes(row)).collect()
+    /// Rows that follow each other as they go into lanes, by their weights; their places are among these.
+    fn many_in_lanes(&self, rows: Range<usize>) -> [LaneColumns; 2] {
+        LaneColumns::by_weight(rows.map(|row| self.in_lanes(row)))
     }
 
     /// The arch of a row, or why there is none.

@@ -32,15 +32,15 @@ impl Batch {
     /// Columns of states at the least thickness, or of arches that have one: first those that are proved many at a
     /// time, then the others, with the proofs of one half opening at a time.
     pub fn columns(&self, arches: &impl BatchArches, threads: Threads) -> BatchColumns {
-        let mut all = self.open(arches.count());
-        let mut is_open = vec![true; arches.count()];
-        if Tier::Lanes.has(self.digits) && !self.has_texts {
-            for (rows, found) in in_lanes::columns(&self.quantities, arches, threads) {
-                rows.iter().for_each(|row| is_open[*row] = false);
-                all.put_all(&rows, found);
-            }
-        }
-        let open: Vec<usize> = (0..is_open.len()).filter(|row| is_open[*row]).collect();
+        // No lane has the asymmetric thickness, nor texts.
+        let is_asymmetric = self.quantities.contains(&Quantity::AsymmetricThickness);
+        let are_doubles = Tier::Lanes.has(self.digits) && !self.has_texts && !is_asymmetric;
+        let mut all = match are_doubles {
+            true => in_lanes::columns(&self.quantities, arches, threads),
+            false => self.open(arches.count()),
+        };
+        let is_open = |row: &usize| all.verdicts[*row] == RowVerdict::Undecided;
+        let open: Vec<usize> = (0..arches.count()).filter(is_open).collect();
         for (row, found) in self.one_by_one(&open, arches, threads) {
             all.put(row, &found);
         }

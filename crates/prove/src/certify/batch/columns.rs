@@ -73,38 +73,39 @@ impl BatchColumns {
         self.reasons.extend(rows.reasons.into_iter().map(|(from, why)| (places[from], why)));
     }
 
+    /// Adds the rows of others, which have no digits, behind these.
+    pub(super) fn append(&mut self, rows: Self) {
+        self.verdicts.extend(rows.verdicts);
+        self.modes.extend(rows.modes);
+        for (all, columns) in self.values.iter_mut().zip(rows.values) {
+            all.iter_mut().zip(columns).for_each(|(all, column)| all.extend(column));
+        }
+    }
+
     /// Puts a row in its place.
     pub(super) fn put(&mut self, place: usize, row: &BatchRow) {
-        self.verdicts[place] = row.verdict;
-        self.modes[place] = mode_code(row.mode);
+        let doubles = row.values.iter().map(|value| Some(value.as_ref()?.doubles));
+        let doubles = doubles.map(|doubles| doubles.unwrap_or([f64::NAN; 3]));
+        self.set(place, (row.verdict, row.mode), doubles);
         self.reasons.extend(row.reason.clone().map(|why| (place, why)));
-        for (columns, value) in self.values.iter_mut().zip(&row.values) {
-            let doubles = value.as_ref().map_or([f64::NAN; 3], |value| value.doubles);
-            columns.iter_mut().zip(doubles).for_each(|(column, x)| column[place] = x);
-        }
         for (texts, value) in self.texts.iter_mut().zip(&row.values) {
             texts[place] = value.as_ref().and_then(|value| value.text.clone());
         }
     }
 
-    /// Adds a row of a verdict and a mode, with its doubles.
-    pub(super) fn push(
+    /// Puts the verdict and the mode of a row in its place, with its doubles.
+    pub(super) fn set(
         &mut self,
+        place: usize,
         (verdict, mode): (RowVerdict, Option<Mode>),
-        doubles: &[[f64; 3]],
+        doubles: impl Iterator<Item = [f64; 3]>,
     ) {
+        self.verdicts[place] = verdict;
+        self.modes[place] = mode.map_or(u8::MAX, |mode| mode as u8);
         for (columns, doubles) in self.values.iter_mut().zip(doubles) {
-            columns.iter_mut().zip(doubles).for_each(|(column, x)| column.push(*x));
+            columns.iter_mut().zip(doubles).for_each(|(column, x)| column[place] = x);
         }
-        self.verdicts.push(verdict);
-        self.modes.push(mode_code(mode));
     }
-}
-
-/// The place of a mode in [`Mode::ALL`]; 255 where there is none.
-fn mode_code(mode: Option<Mode>) -> u8 {
-    let place = mode.and_then(|mode| Mode::ALL.iter().position(|of| *of == mode));
-    place.and_then(|place| u8::try_from(place).ok()).unwrap_or(u8::MAX)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use super::batch::Batch;
 use super::columns::BatchColumns;
 use super::opening::tangent;
 use crate::arch::SelfWeight;
-use crate::certify::state::InLanes;
+use crate::certify::state::{InLanes, LaneColumns};
 use crate::lanes::Lanes;
 use crate::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
 use crate::problem::{Arch, Friction, Quantity};
@@ -145,16 +145,16 @@ impl BatchArches for DoubleArches<'_> {
         Some(self.with_friction(row, friction))
     }
 
-    fn many_in_lanes(&self, rows: Range<usize>) -> Vec<Option<(SelfWeight, InLanes)>> {
+    fn many_in_lanes(&self, rows: Range<usize>) -> [LaneColumns; 2] {
         let Some(is_in_degrees) = self.units.friction_angles else {
-            return rows.map(|row| self.in_lanes(row)).collect();
+            return LaneColumns::by_weight(rows.map(|row| self.in_lanes(row)));
         };
         let angles = self.frictions[rows.clone()].iter().map(|phi| [number(*phi, is_in_degrees)]);
         let frictions = Lanes::of(self.weight).tangents(&angles.collect::<Vec<_>>());
         let row = |(row, friction): (usize, Option<[DoubleDoubleBall; 1]>)| {
             Some(self.with_friction(row, Some(friction?[0])))
         };
-        rows.zip(frictions).map(row).collect()
+        LaneColumns::by_weight(rows.zip(frictions).map(row))
     }
 
     fn have_thicknesses(&self) -> bool {
@@ -258,7 +258,7 @@ mod tests {
         }
         assert_eq!((found.verdicts.len(), found.reasons), (rows.len(), expected.reasons));
         let proved = in_lanes::columns(quantities, arches, Threads::One);
-        proved.iter().map(|(rows, _)| rows.len()).sum()
+        proved.verdicts.iter().filter(|verdict| **verdict != RowVerdict::Undecided).count()
     }
 
     /// Quantities of states, all or without the frictions at which the mode changes.

@@ -14,45 +14,41 @@ use crate::problem::{Mode, Quantity};
 /// to the system after each.
 const PIECE: usize = 512;
 
-/// Rows of a batch by columns, some with their places at a time; none of which not all that is asked is proved.
+/// Columns of a batch, in which what is not all proved is undecided without a reason.
 pub(super) fn columns(
     quantities: &[Quantity],
     arches: &impl BatchArches,
     threads: Threads,
-) -> Vec<(Vec<usize>, BatchColumns)> {
-    // No lane has it.
-    if quantities.contains(&Quantity::AsymmetricThickness) {
-        return Vec::new();
-    }
+) -> BatchColumns {
     let wants = LaneWants::new(quantities);
     let count = arches.count();
     let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
-    threads.each(&starts, |start| {
-        let all = arches.many_in_lanes(*start..count.min(start + PIECE));
-        let (mut rows, mut columns) = (Vec::new(), BatchColumns::open(0, quantities.len()));
+    let pieces = threads.each(&starts, |start| {
+        let rows = *start..count.min(start + PIECE);
+        let mut columns = BatchColumns::open(rows.len(), quantities.len());
         // One row's at a time: a row has no memory of its own.
-        let mut doubles = Vec::with_capacity(quantities.len());
-        each_in_lanes(&all, wants, |row, found| {
-            doubles.clear();
+        let mut doubles = vec![[f64::NAN; 3]; quantities.len()];
+        each_in_lanes(&arches.many_in_lanes(rows), wants, |row, found| {
             if let Some(verdict) = in_doubles(&found, quantities, &mut doubles) {
-                columns.push(verdict, &doubles);
-                rows.push(start + row);
+                columns.set(row, verdict, doubles.iter().copied());
             }
         });
-        (rows, columns)
-    })
+        columns
+    });
+    let mut all = BatchColumns::open(0, quantities.len());
+    pieces.into_iter().for_each(|piece| all.append(piece));
+    all
 }
 
 /// Verdict and mode of what is proved of an arch, if all that is asked is decided: then each quantity is in doubles.
 fn in_doubles(
     found: &LaneFound,
     quantities: &[Quantity],
-    doubles: &mut Vec<[f64; 3]>,
+    doubles: &mut [[f64; 3]],
 ) -> Option<(RowVerdict, Option<Mode>)> {
     match found {
         LaneFound::Stands(state) => {
-            let of = |of| Some(state.figures().find(|(figure, _)| *figure == of)?.1.copied());
-            values(quantities, of, doubles)?;
+            values(quantities, |of| Some(state.value(of)?.copied()), doubles)?;
             Some((RowVerdict::Stands, Some(state.mode)))
         }
         LaneFound::Falls(falling) => {
@@ -62,32 +58,29 @@ fn in_doubles(
         }
         LaneFound::Assessment(found, _) => {
             let stands = *found.stands.as_ref().ok()?;
-            let verdict = if stands { RowVerdict::Stands } else { RowVerdict::Falls };
-            let is_open = |of: &Quantity| found.why_open(*of).is_some();
-            let of = |of| Some(found.figures().find(|(figure, _)| *figure == of)?.1);
-            if quantities.iter().any(is_open) {
+            if found.open().any(|(of, _)| quantities.contains(&of)) {
                 return None;
             }
+            let of = |of| Some(found.figures().find(|(figure, _)| *figure == of)?.1);
             values(quantities, of, doubles)?;
-            Some((verdict, None))
+            Some((if stands { RowVerdict::Stands } else { RowVerdict::Falls }, None))
         }
     }
 }
 
-/// Adds quantities in doubles, if all are decided: infinite without a figure, and no numbers where there is
+/// Puts quantities in doubles, if all are decided: infinite without a figure, and no numbers where there is
 /// none at all.
 fn values<'a>(
     quantities: &[Quantity],
     figure: impl Fn(Quantity) -> Option<Option<&'a DoubleDoubleBall>>,
-    all: &mut Vec<[f64; 3]>,
+    all: &mut [[f64; 3]],
 ) -> Option<()> {
-    let value = |of: &Quantity| match figure(*of) {
-        Some(Some(ball)) => doubles(ball),
-        Some(None) => Some([f64::INFINITY; 3]),
-        None => Some([f64::NAN; 3]),
-    };
-    for of in quantities {
-        all.push(value(of)?);
+    for (of, value) in quantities.iter().zip(all) {
+        *value = match figure(*of) {
+            Some(Some(ball)) => doubles(ball)?,
+            Some(None) => [f64::INFINITY; 3],
+            None => [f64::NAN; 3],
+        };
     }
     Some(())
 }

@@ -21,7 +21,7 @@ mod opening;
 mod openings;
 mod row;
 
-pub use crate::certify::state::InLanes;
+pub use crate::certify::state::{InLanes, LaneColumns};
 pub use crate::lanes::LaneArch;
 pub use arches::{BatchArches, Threads, grouped};
 pub use batch::Batch;

@@ -93,52 +93,36 @@ impl<T> Digits<T> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn get(&self, quantity: Quantity) -> Option<&T> {
-        self.figures().find(|(of, _)| *of == quantity)?.1
+        self.value(quantity)?
+    }
+
+    /// The value of a quantity, where the state has it; `None` for a friction without bound.
+    pub(in crate::certify) fn value(&self, quantity: Quantity) -> Option<Option<&T>> {
+        Some(Some(match quantity {
+            Quantity::Thickness => &self.thickness,
+            Quantity::Thrust => &self.thrust,
+            Quantity::IntrinsicThrust => &self.intrinsic_thrust,
+            Quantity::RotationJoint => &self.rotation_joint,
+            Quantity::SlidingJoint => self.sliding_joint.as_ref()?,
+            Quantity::SlidingFriction => &self.frictions.as_ref()?.sliding,
+            Quantity::RotationalFriction => {
+                return Some(self.frictions.as_ref()?.rotational.as_ref());
+            }
+            _ => return None,
+        }))
     }
 
     /// The values that there are, in the order of [`Quantity::STATE`]; `None` for a friction without bound.
     pub fn figures(&self) -> impl Iterator<Item = (Quantity, Option<&T>)> {
-        let both = self.frictions.as_ref();
-        let frictions = both.map(|Frictions { sliding, rotational }| Frictions {
-            sliding,
-            rotational: rotational.as_ref(),
-        });
-        let all = Digits {
-            mode: self.mode,
-            thickness: &self.thickness,
-            thrust: &self.thrust,
-            intrinsic_thrust: &self.intrinsic_thrust,
-            rotation_joint: &self.rotation_joint,
-            sliding_joint: self.sliding_joint.as_ref(),
-            frictions,
-        };
-        all.into_figures()
-    }
-
-    /// The values that there are, moved.
-    fn into_figures(self) -> impl Iterator<Item = (Quantity, Option<T>)> {
-        let frictions = self.frictions.map(|both| {
-            let sliding = (Quantity::SlidingFriction, Some(both.sliding));
-            [sliding, (Quantity::RotationalFriction, both.rotational)]
-        });
-        let joint = self.sliding_joint.map(|joint| (Quantity::SlidingJoint, Some(joint)));
-        [
-            (Quantity::Thickness, Some(self.thickness)),
-            (Quantity::Thrust, Some(self.thrust)),
-            (Quantity::IntrinsicThrust, Some(self.intrinsic_thrust)),
-            (Quantity::RotationJoint, Some(self.rotation_joint)),
-        ]
-        .into_iter()
-        .chain(joint)
-        .chain(frictions.into_iter().flatten())
+        Quantity::STATE.into_iter().filter_map(|of| Some((of, self.value(of)?)))
     }
 }
 
 impl Digits {
     /// Digits of those values that are shown.
-    pub fn only(self, shows: impl Fn(Quantity) -> bool) -> SomeDigits {
-        let mode = self.mode;
-        SomeDigits { mode, values: self.into_figures().filter(|(of, _)| shows(*of)).collect() }
+    pub fn only(&self, shows: impl Fn(Quantity) -> bool) -> SomeDigits {
+        let shown = self.figures().filter(|(of, _)| shows(*of));
+        SomeDigits { mode: self.mode, values: shown.map(|(of, x)| (of, x.cloned())).collect() }
     }
 
     /// Every value of a state rounded to `digits` significant digits, if the enclosures decide all of them.
@@ -160,18 +144,36 @@ impl Digits {
 }
 
 impl<E> Digits<&E> {
+    /// The state that has these values.
+    pub(super) fn enclosed(&self) -> State<E>
+    where
+        E: Clone,
+    {
+        let frictions = self.frictions.as_ref();
+        State {
+            mode: self.mode,
+            thickness: self.thickness.clone(),
+            thrust: self.thrust.clone(),
+            rotation_joint: self.rotation_joint.clone(),
+            sliding_joint: self.sliding_joint.cloned(),
+            frictions: frictions.map(|both| Frictions {
+                sliding: both.sliding.clone(),
+                rotational: both.rotational.cloned(),
+            }),
+        }
+    }
+
     /// Digits of those values that are shown, rounded to `digits` significant digits, if the enclosures decide them.
     pub(super) fn some_rounded(
-        self,
+        &self,
         digits: usize,
         shows: impl Fn(Quantity) -> bool,
     ) -> Option<SomeDigits>
     where
         E: Figured,
     {
-        let mode = self.mode;
-        let shown = self.into_figures().filter(|(of, _)| shows(*of));
+        let shown = self.figures().filter(|(of, _)| shows(*of));
         let rounded = shown.map(|(of, x)| Some((of, optional(x, |x| x.figure(digits))?)));
-        Some(SomeDigits { mode, values: rounded.collect::<Option<_>>()? })
+        Some(SomeDigits { mode: self.mode, values: rounded.collect::<Option<_>>()? })
     }
 }

@@ -6,7 +6,7 @@ use super::assess::{Assessment, AssessmentDigits, line_fits, standing, with_thru
 use super::digits::{Answer, Digits, SomeDigits};
 use super::enough::Enough;
 use super::query::{DOUBLE_DOUBLE, Query};
-use super::state::{Fall, Frictions};
+use super::state::{Fall, Frictions, Outcome};
 use super::thrust_range::Roots;
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::lanes::{
@@ -19,6 +19,40 @@ use crate::prover::figure::{Figured, optional};
 
 /// Half opening and friction of an arch, and its thickness if it has one, in enclosures.
 pub type InLanes = (LaneArch, Option<DoubleDoubleBall>);
+
+/// Rows of a weight that go into lanes together, each with its place.
+#[derive(Debug, Default)]
+pub struct LaneColumns {
+    rows: Vec<usize>,
+    arches: Vec<LaneArch>,
+    thicknesses: Vec<Option<DoubleDoubleBall>>,
+}
+
+impl LaneColumns {
+    /// Rows by their weights, in the order of [`SelfWeight::ALL`]: without those of which nothing is known, or whose
+    /// thickness is none.
+    pub fn by_weight(
+        all: impl ExactSizeIterator<Item = Option<(SelfWeight, InLanes)>>,
+    ) -> [Self; 2] {
+        let (count, mut columns) = (all.len(), <[Self; 2]>::default());
+        for (row, given) in all.enumerate() {
+            let Some((weight, (arch, eta))) = given else { continue };
+            if eta.as_ref().is_some_and(|eta| !is_thickness(eta)) {
+                continue;
+            }
+            let of = &mut columns[weight as usize];
+            if of.rows.is_empty() {
+                of.rows.reserve(count - row);
+                of.arches.reserve(count - row);
+                of.thicknesses.reserve(count - row);
+            }
+            of.rows.push(row);
+            of.arches.push(arch);
+            of.thicknesses.push(eta);
+        }
+        columns
+    }
+}
 
 /// Answer to a row in digits: about the least thickness of an arch, or about the one that it has.
 #[derive(Clone, Debug)]
@@ -33,7 +67,7 @@ pub enum RowAnswer {
 /// `None` where lanes leave any of them open, as they do what would be enough for an arch that falls, if these remedies
 /// are asked for.
 pub fn answers_in_lanes(
-    rows: &[Option<(SelfWeight, InLanes)>],
+    rows: impl ExactSizeIterator<Item = Option<(SelfWeight, InLanes)>>,
     digits: usize,
     quantities: &[Quantity],
     remedies: bool,
@@ -43,7 +77,33 @@ pub fn answers_in_lanes(
     // The friction below which an arch slides tells why it falls.
     let wants = LaneWants { frictions: [asks_frictions, !remedies], why: true, ..wants };
     let mut all = vec![None; rows.len()];
-    each_in_lanes(rows, wants, |row, found| all[row] = found.rounded(digits, quantities, remedies));
+    let rows = LaneColumns::by_weight(rows);
+    each_in_lanes(&rows, wants, |row, found| {
+        all[row] = found.rounded(digits, quantities, remedies);
+    });
+    all
+}
+
+/// The outcomes of arches with their weights, in their order, each with the friction of the purely sliding state if the
+/// arch falls; with the frictions at which the mode of one that stands changes, if they are asked for. `None` where
+/// lanes leave anything of it open.
+pub fn outcomes_in_lanes(
+    arches: impl ExactSizeIterator<Item = Option<(SelfWeight, LaneArch)>>,
+    frictions: bool,
+) -> Vec<Option<(Outcome<DoubleDoubleBall>, Option<DoubleDoubleBall>)>> {
+    let wants = LaneWants { frictions: [frictions, true], ..LaneWants::new(&[]) };
+    let mut all = vec![None; arches.len()];
+    let rows = arches.map(|arch| arch.map(|(weight, arch)| (weight, (arch, None))));
+    each_in_lanes(&LaneColumns::by_weight(rows), wants, |row, found| {
+        all[row] = match found {
+            LaneFound::Stands(state) => Some((Outcome::Stands(Box::new(state.enclosed())), None)),
+            LaneFound::Falls(falling) => {
+                let fall = falling.why();
+                fall.map(|fall| (Outcome::Falls(fall), falling.sliding.copied()))
+            }
+            LaneFound::Assessment(..) => None,
+        };
+    });
     all
 }
 
@@ -81,7 +141,7 @@ pub(in crate::certify) enum LaneFound<'a> {
     /// No thickness is enough.
     Falls(Falling<'a>),
     /// An arch with a thickness, as far as it is wanted; and what it says where no thickness is enough.
-    Assessment(Box<Assessment<DoubleDoubleBall>>, Option<Falling<'a>>),
+    Assessment(&'a Assessment<DoubleDoubleBall>, Option<Falling<'a>>),
 }
 
 /// An arch that falls whatever its thickness: its friction, and the one below which it slides, where that is known.
@@ -124,7 +184,7 @@ impl LaneFound<'_> {
             }
             Self::Assessment(found, falling) => {
                 let fall = optional(falling, |falling| falling.why())?;
-                let found = Assessment { fall, ..*found }.rounded(digits, DOUBLE_DOUBLE);
+                let found = Assessment { fall, ..found.clone() }.rounded(digits, DOUBLE_DOUBLE);
                 let is_open = |of: &Quantity| found.why_open(*of).is_some();
                 let is_decided = found.stands.is_ok() && !quantities.iter().any(is_open);
                 is_decided.then(|| RowAnswer::Assessment(Box::new(found)))
@@ -136,25 +196,17 @@ impl LaneFound<'_> {
 /// Proves rows many at a time, those of a weight together, and tells what is proved of each; nothing of a row that is
 /// left open.
 pub(in crate::certify) fn each_in_lanes(
-    rows: &[Option<(SelfWeight, InLanes)>],
+    columns: &[LaneColumns; 2],
     wants: LaneWants,
     mut tell: impl FnMut(usize, LaneFound),
 ) {
-    for weight in SelfWeight::ALL {
-        let is_asked = |(of, given): &(SelfWeight, InLanes)| {
-            *of == weight && given.1.as_ref().is_none_or(is_thickness)
-        };
-        let asked = |row: &usize| rows[*row].as_ref().is_some_and(is_asked);
-        let places: Vec<usize> = (0..rows.len()).filter(asked).collect();
-        if places.is_empty() {
+    for (weight, given) in SelfWeight::ALL.into_iter().zip(columns) {
+        if given.rows.is_empty() {
             continue;
         }
-        let given: Vec<InLanes> = places.iter().filter_map(|row| Some(rows[*row]?.1)).collect();
-        let all = LaneRows::new(weight, &given, wants);
-        for (place, row) in places.into_iter().enumerate() {
-            if let Some(found) = all.of(place) {
-                tell(row, found);
-            }
+        let all = LaneRows::new(weight, given, wants);
+        for (place, row) in given.rows.iter().enumerate() {
+            all.tell(place, |found| tell(*row, found));
         }
     }
 }
@@ -167,7 +219,7 @@ fn is_thickness(eta: &DoubleDoubleBall) -> bool {
 /// Arches of a weight, some with thicknesses, and what is proved of them.
 struct LaneRows<'a> {
     weight: SelfWeight,
-    given: &'a [InLanes],
+    given: &'a LaneColumns,
     wants: LaneWants,
     answers: Vec<Option<LaneAnswer>>,
     /// The frictions at which the mode changes, where they are wanted.
@@ -195,67 +247,91 @@ impl<B> OfSome<B> {
         Self { places, found: if asked.is_empty() { Vec::new() } else { ask(&asked) } }
     }
 
+    fn none() -> Self {
+        Self { places: Vec::new(), found: Vec::new() }
+    }
+
     fn of(&self, row: usize) -> Option<&B> {
-        self.found.get(self.places[row]?)
+        self.found.get((*self.places.get(row)?)?)
     }
 }
 
 impl<'a> LaneRows<'a> {
-    fn new(weight: SelfWeight, given: &'a [InLanes], wants: LaneWants) -> Self {
+    fn new(weight: SelfWeight, given: &'a LaneColumns, wants: LaneWants) -> Self {
         let lanes = Lanes::of(weight);
-        let arches: Vec<LaneArch> = given.iter().map(|(arch, _)| *arch).collect();
-        let answers = lanes.states(&arches);
-        let rows = || given.iter().zip(&answers);
-        let opening = |(((alpha, _), eta), answer): (&InLanes, &Option<LaneAnswer>)| {
-            let [stand, fall] = wants.frictions;
-            let is_wanted = match answer.as_ref()? {
-                LaneAnswer::Stands(_) => stand,
-                LaneAnswer::Falls => fall,
-            };
-            let is_wanted = match eta {
-                Some(_) => wants.why && matches!(answer, Some(LaneAnswer::Falls)),
-                None => is_wanted,
-            };
-            is_wanted.then_some(*alpha)
+        let answers = lanes.states(&given.arches);
+        let mut all = Self {
+            weight,
+            given,
+            wants,
+            answers,
+            frictions: OfSome::none(),
+            roots: OfSome::none(),
+            unlimited: OfSome::none(),
         };
-        let frictions = OfSome::new(rows().map(opening), |openings| lanes.frictions(openings));
+        if wants.why || wants.frictions.contains(&true) {
+            all.frictions = OfSome::new(all.rows(Self::opening), |of| lanes.frictions(of));
+        }
         let wants_of = [wants.required, wants.thrusts];
-        let thick =
-            |(arch, eta): &InLanes| Some((*arch, (*eta)?)).filter(|_| wants_of.contains(&true));
-        let roots = OfSome::new(given.iter().map(thick), |rows| lanes.roots(rows, wants_of));
-        // A thickness that is enough with friction is so without its limit: then the least with friction says so.
-        let other = |(given, answer): (&InLanes, &Option<LaneAnswer>)| {
-            let ((alpha, _), eta) = thick(given)?;
-            let is_same = match answer {
-                Some(LaneAnswer::Stands(state)) => {
-                    state.mode == Mode::Rotational || state.thickness.is_less_than(&eta).is_proved()
-                }
-                _ => false,
-            };
-            (!is_same).then_some((alpha, None))
-        };
-        let unlimited = OfSome::new(rows().map(other), |arches| lanes.states(arches));
-        Self { weight, given, wants, answers, frictions, roots, unlimited }
+        if wants_of.contains(&true) {
+            all.roots = OfSome::new(all.rows(Self::thick), |rows| lanes.roots(rows, wants_of));
+            all.unlimited = OfSome::new(all.rows(Self::unlimited), |rows| lanes.states(rows));
+        }
+        all
     }
 
-    /// Row that is proved; none if anything that is wanted of a state is open.
-    fn of(&self, place: usize) -> Option<LaneFound<'_>> {
-        let (answer, ((_, friction), eta)) = (self.answers[place].as_ref()?, &self.given[place]);
+    /// Question to each row, if it is asked any.
+    fn rows<A>(&self, of: impl Fn(&Self, usize) -> Option<A>) -> impl Iterator<Item = Option<A>> {
+        (0..self.answers.len()).map(move |place| of(self, place))
+    }
+
+    /// The half opening of a row whose frictions are wanted.
+    fn opening(&self, place: usize) -> Option<DoubleDoubleBall> {
+        let falls = matches!(self.answers[place].as_ref()?, LaneAnswer::Falls);
+        let is_wanted = match self.given.thicknesses[place] {
+            Some(_) => self.wants.why && falls,
+            None => self.wants.frictions[usize::from(falls)],
+        };
+        is_wanted.then_some(self.given.arches[place].0)
+    }
+
+    /// The arch of a row with its thickness.
+    fn thick(&self, place: usize) -> Option<(LaneArch, DoubleDoubleBall)> {
+        Some((self.given.arches[place], self.given.thicknesses[place]?))
+    }
+
+    /// The arch of a row with a thickness at unlimited friction, unless its own answer says whether the thickness is
+    /// enough there: one that is enough with friction is so without its limit.
+    fn unlimited(&self, place: usize) -> Option<LaneArch> {
+        let ((alpha, _), eta) = self.thick(place)?;
+        let is_same = match &self.answers[place] {
+            Some(LaneAnswer::Stands(state)) => {
+                state.mode == Mode::Rotational || state.thickness.is_less_than(&eta).is_proved()
+            }
+            _ => false,
+        };
+        (!is_same).then_some((alpha, None))
+    }
+
+    /// Tells what is proved of a row; nothing if anything that is wanted of a state is open.
+    fn tell(&self, place: usize, tell: impl FnOnce(LaneFound)) -> Option<()> {
+        let (answer, friction) = (self.answers[place].as_ref()?, self.given.arches[place].1);
         let frictions = self.frictions.of(place);
         let falling = |sliding| Falling { friction: friction.as_ref(), sliding };
-        match (eta, answer) {
+        match (&self.given.thicknesses[place], answer) {
             (Some(eta), _) => {
                 let falls = matches!(answer, LaneAnswer::Falls);
                 let sliding = frictions.and_then(|both| both.sliding.as_ref());
-                let falling = falls.then(|| falling(sliding));
-                Some(LaneFound::Assessment(Box::new(self.assessment(place, answer, eta)), falling))
+                let assessment = self.assessment(place, answer, eta);
+                tell(LaneFound::Assessment(&assessment, falls.then(|| falling(sliding))));
             }
-            (None, LaneAnswer::Stands(state)) => Some(LaneFound::Stands(stands(state, frictions)?)),
+            (None, LaneAnswer::Stands(state)) => tell(LaneFound::Stands(stands(state, frictions)?)),
             (None, LaneAnswer::Falls) => {
                 let sliding = optional(frictions, |both| both.sliding.as_ref())?;
-                Some(LaneFound::Falls(falling(sliding)))
+                tell(LaneFound::Falls(falling(sliding)));
             }
         }
+        Some(())
     }
 
     /// The assessment of an arch with a thickness, as far as it is wanted. Exact ties stay open.
@@ -270,7 +346,7 @@ impl<'a> LaneRows<'a> {
         let unlimited = self.unlimited.of(place).unwrap_or(&self.answers[place]);
         let unlimited = unlimited.as_ref().map(least);
         let unlimited = unlimited.ok_or_else(|| Undecided::new("whether a line of thrust fits"));
-        let ((alpha, friction), _) = self.given[place];
+        let (alpha, friction) = self.given.arches[place];
         let given = Configuration::zero(&alpha)
             .with(Unknown::HalfOpening, alpha)
             .with(Unknown::Friction, friction.unwrap_or(alpha.int(0)))
