@@ -2,7 +2,7 @@
 
 use super::given_rows::source;
 use super::output::{OutputFile, is_written};
-use super::stream::{CHUNK, Progress, written_alone};
+use super::stream::{CHUNK, Progress, written};
 use crate::arch::SelfWeight;
 use crate::cli::line::say;
 use crate::judge::{Demand, Verdict};
@@ -16,6 +16,7 @@ use crate::sweep::rows::{
     ArchReader, Columns, GivenRows, Judge, Keep, Numbered, Purpose, ReadRow, Role, Syntax,
 };
 use clap::Args;
+use rayon::prelude::*;
 use std::path::PathBuf;
 
 /// Judge somebody else's results, row by row.
@@ -174,12 +175,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     output.write(|out| {
         let columns = (&quantities[..], &kept[..]);
         out.write_all(&judged::header(format, columns)?)?;
-        let answer = |(line, cells)| {
-            let row = judge.row(line, cells);
+        let answer = |row| {
             let text = judged::row(format, &row, columns);
             (row, text)
         };
-        written_alone(rows, &progress, answer, out, |row| summary.add(row))?;
+        let answers = |rows| judge.rows(rows).into_par_iter().map(answer).collect();
+        written(rows, &progress, answers, out, |row| summary.add(row))?;
         if !has_rows {
             summary.write(format, out)?;
         }

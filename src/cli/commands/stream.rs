@@ -3,7 +3,6 @@
 use super::progress::{ROWS, show_rows, styled};
 use crate::sweep::rows::{Input, Numbered, RowSource};
 use indicatif::ProgressBar;
-use rayon::prelude::*;
 use std::io::{self, BufReader, Write};
 use std::sync::mpsc;
 use std::thread;
@@ -64,17 +63,17 @@ pub(super) fn in_order<T: Send + 'static, A: Send>(
     Ok(rows)
 }
 
-/// Answers rows as they come, each alone, and writes what each is in the output; `take` gets the answers. Answers how
-/// many rows there were.
-pub(super) fn written_alone<T: Send + 'static, A: Send>(
+/// Answers rows as they come, those of a file a chunk at a time, and writes what each is in the output; `take` gets the
+/// answers. Answers how many rows there were.
+pub(super) fn written<T: Send + 'static, A: Send>(
     rows: impl Iterator<Item = Numbered<T>> + Send + 'static,
     progress: &Progress,
-    answer: impl Fn(Numbered<T>) -> (A, io::Result<Vec<u8>>) + Sync,
+    answers: impl Fn(Vec<Numbered<T>>) -> Vec<(A, io::Result<Vec<u8>>)>,
     out: &mut dyn Write,
     mut take: impl FnMut(A),
 ) -> io::Result<u64> {
-    let answers = |rows: Vec<_>| rows.into_par_iter().map(&answer).collect();
-    in_order(rows, (progress, Chunk::WhatIsThere), answers, |answers: Vec<_>| {
+    let together = if progress.is_of_file { Chunk::Full } else { Chunk::WhatIsThere };
+    in_order(rows, (progress, together), answers, |answers: Vec<_>| {
         for (row, text) in answers {
             take(row);
             out.write_all(&text?)?;

@@ -1,11 +1,10 @@
 //! Distance to another mode, where the one that is claimed is wrong.
 
-use super::printed::power_of_ten;
+use super::printed::unit_of_place;
 use crate::certify::state::{Answer, Certify};
-use crate::number::{Decimal, ExactNumber, Rounded};
+use crate::number::{Decimal, ExactNumber, Rounded, power_of_ten};
 use crate::problem::{Arch, Friction, Mode, Quantity};
-use rug::ops::Pow;
-use rug::{Integer, Rational};
+use rug::Rational;
 
 /// A boundary between two modes, within the rounding of what is given of an arch.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,7 +27,7 @@ impl Boundary {
             let mut own = (arch.half_opening().clone(), arch.friction().clone());
             let half = half_unit(given(&mut own, quantity)?)?;
             [half.clone(), -half].into_iter().find_map(|step| {
-                let steps = (0..POWERS).map(|power| step.clone() / Integer::from(10).pow(power));
+                let steps = (0..POWERS).map(|power| step.clone() / power_of_ten(power));
                 let nearest =
                     steps.take_while(|step| mode_beside(arch, quantity, step) == Some(mode));
                 let within = Rounded::from_rational(&nearest.last()?.abs(), 1)?.value;
@@ -55,7 +54,7 @@ fn half_unit(x: &ExactNumber) -> Option<Rational> {
     let text = x.to_string();
     let number = text.strip_suffix("deg").unwrap_or(&text);
     let decimal: Decimal = number.parse().ok().filter(|_| number.contains('.'))?;
-    Some(power_of_ten(decimal.exponent())? / 2u32)
+    Some(unit_of_place(decimal.exponent())? / 2u32)
 }
 
 /// The mode of the arch in which what is given is moved by a step; `None` if it falls or that is not certain.

@@ -88,6 +88,10 @@ const MAX_DIGITS: usize = 10_000;
 /// Powers of ten; the thickness of the smallest half opening that is read is above.
 const MAX_SIZE: u64 = 5_000;
 
+/// Digits with which a certified value is shown at least, and beyond the digits of the claim.
+const SHOWN: usize = 17;
+const BEYOND: usize = 3;
+
 /// Words for "there is no solution".
 const NOTHING: [&str; 11] =
     ["nan", "-nan", "inf", "+inf", "-inf", "infinity", "none", "null", "falls", "-", "n/a"];
@@ -178,6 +182,18 @@ fn yes_or_no(text: &str) -> Result<Option<bool>, ClaimError> {
     }
 }
 
+impl RowClaim {
+    /// Digits of the truth with which the claim is compared at first.
+    pub(super) fn digits(&self) -> usize {
+        self.numbers.iter().map(Claimed::compared_digits).max().unwrap_or(1)
+    }
+
+    /// Tells whether it speaks of the frictions at which the mode changes, or of those of a thickness.
+    pub(super) fn tells_frictions(&self) -> bool {
+        self.numbers.iter().any(|number| number.quantity.is_friction())
+    }
+}
+
 impl Claimed {
     fn read(quantity: Quantity, text: &str, degrees: bool) -> Result<Self, ClaimError> {
         let infinite = ["inf", "+inf", "infinity"];
@@ -218,9 +234,21 @@ impl Claimed {
     }
 
     /// Significant digits as written; none for zero.
-    pub(super) fn significant_digits(&self) -> usize {
+    fn significant_digits(&self) -> usize {
         let number = self.value.finite().filter(|number| number.value != 0);
         number.map_or(0, |number| number.digits.len())
+    }
+
+    /// Digits that the certified value beside it has.
+    pub(super) fn shown_digits(&self) -> usize {
+        SHOWN.max(self.significant_digits() + BEYOND)
+    }
+
+    /// Digits of the truth with which it is compared at first. For absurdly large or small claims the relative error is
+    /// so close to a round number that extra digits are needed.
+    fn compared_digits(&self) -> usize {
+        const ORDINARY: u64 = 100;
+        self.shown_digits() + if self.size > ORDINARY { self.size as usize } else { 0 }
     }
 }
 

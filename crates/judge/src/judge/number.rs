@@ -59,27 +59,10 @@ pub enum CorrectDigits {
     Exact,
 }
 
-/// Digits with which a certified value is shown at least, and beyond the digits of the claim.
-const SHOWN: usize = 17;
-const BEYOND: usize = 3;
-
-/// Digits of the truth with which a claim is compared at first. For absurdly large or small claims the
-/// relative error is so close to a round number that extra digits are needed.
-pub(super) fn compared_digits(claimed: &Claimed) -> usize {
-    const ORDINARY: u64 = 100;
-    let size = claimed.size;
-    shown_digits(claimed) + if size > ORDINARY { size as usize } else { 0 }
-}
-
-/// Digits that the certified value beside a claim has.
-fn shown_digits(claimed: &Claimed) -> usize {
-    SHOWN.max(claimed.significant_digits() + BEYOND)
-}
-
 impl Judged {
     /// Compares a claim with the truth; `None` asks for a narrower enclosure.
     pub(super) fn new<E: Comparable>(claimed: &Claimed, truth: Truth<E>) -> Option<Self> {
-        let digits = shown_digits(claimed);
+        let digits = claimed.shown_digits();
         let truth = match truth {
             Truth::Finite(known) if claimed.degrees => Truth::Finite(in_degrees(known)),
             truth => truth,

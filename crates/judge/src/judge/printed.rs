@@ -1,8 +1,10 @@
 //! A printed number against the true value: the error, and how good the last place is.
 
 use super::comparable::Comparable;
-use crate::number::{Ball, Decimal, ExactNumber, Rounded, Ternary, hexadecimal, worded};
-use rug::{Integer, Rational, ops::Pow};
+use crate::number::{
+    Ball, Decimal, ExactNumber, Rounded, Ternary, hexadecimal, power_of_ten, worded,
+};
+use rug::Rational;
 use std::cmp::Ordering;
 
 /// Significant digits of an error.
@@ -44,7 +46,7 @@ impl PrintedNumber {
         };
         let zeros = decimal.digits().len().saturating_sub(digits.len());
         let last = decimal.exponent() + zeros as i64;
-        let unit = power_of_ten(last)?;
+        let unit = unit_of_place(last)?;
         Some(Self { value: decimal.to_rational(), unit, digits: digits.to_owned() })
     }
 
@@ -83,7 +85,7 @@ pub(super) fn correct_digits<E: Comparable>(
     // The size may have been rounded up to a power of ten or down from above a half of one.
     let mut digits = magnitude - size.magnitude() + 1;
     while digits > 0 {
-        if error.is_within(&(power_of_ten(magnitude - digits)? / 2u32))? {
+        if error.is_within(&(unit_of_place(magnitude - digits)? / 2u32))? {
             return usize::try_from(digits).ok();
         }
         digits -= 1;
@@ -91,9 +93,10 @@ pub(super) fn correct_digits<E: Comparable>(
     Some(0)
 }
 
-pub(super) fn power_of_ten(exponent: i64) -> Option<Rational> {
-    let power = Integer::from(10).pow(u32::try_from(exponent.unsigned_abs()).ok()?);
-    Some(if exponent < 0 { Rational::from((1, power)) } else { power.into() })
+/// A unit of the decimal place of an exponent.
+pub(super) fn unit_of_place(exponent: i64) -> Option<Rational> {
+    let power = Rational::from(power_of_ten(u32::try_from(exponent.unsigned_abs()).ok()?));
+    Some(if exponent < 0 { power.recip() } else { power })
 }
 
 /// A value that is certified, or an error in some unit, of either sign: exact, or in an enclosure.

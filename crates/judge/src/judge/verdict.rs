@@ -3,10 +3,11 @@
 use super::boundary::Boundary;
 use super::claim::RowClaim;
 use super::comparable::Comparable;
-use super::number::{CorrectDigits, Judged, compared_digits};
+use super::number::{CorrectDigits, Judged};
 use super::truth::ProvedArch;
 use crate::certify::Undecided;
-use crate::certify::state::{Assessment, Fall, Outcome, Tier, raised};
+use crate::certify::batch::SharedOpening;
+use crate::certify::state::{Assessment, Fall, Outcome, Tier, outcomes_in_lanes, raised};
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber, TripleWordBall, worded};
 use crate::problem::{Arch, Mode};
 use std::cmp::Ordering;
@@ -127,6 +128,17 @@ impl Judgement {
         Self { standing, stands, verdict, boundary: None, numbers: Vec::new() }
     }
 
+    /// The judgement with the boundary to the mode that is claimed, where that is wrong.
+    fn with_boundary(self, arch: &Arch, claim: &RowClaim) -> Self {
+        let boundary = match (claim.mode, &self.standing) {
+            (Some(claimed), Standing::Stands(mode)) if claimed != *mode => {
+                Boundary::near(arch, claimed)
+            }
+            _ => None,
+        };
+        Self { boundary, ..self }
+    }
+
     /// The digits to which every number is correct; `None` where there is no number.
     pub fn correct_digits(&self) -> Option<CorrectDigits> {
         self.numbers.iter().map(|number| number.correct_digits).min()
@@ -146,7 +158,7 @@ impl Judgement {
 /// Judges what is claimed of an arch by what is proved of it, raising the precision until every comparison
 /// is decided.
 pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
-    let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
+    let digits = claim.digits();
     let in_bits = |bits| Ok(compare(claim, &proved::<Ball>(arch, claim, bits)?, demand));
     let by_mpfr = || raised(arch, digits, in_bits);
     let compared = match Tier::DoubleDoubles.has(digits) {
@@ -156,15 +168,34 @@ pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
         false => by_mpfr(),
     };
     // What cannot be told is not accepted either: nearer to a line than can be told is not on it.
-    let mut judgement = compared.unwrap_or_else(|doubt| {
+    let judgement = compared.unwrap_or_else(|doubt| {
         Judgement::bare(Standing::Undecided(doubt), None, Verdict::Undecided)
     });
-    if let (Some(claimed), Standing::Stands(mode)) = (claim.mode, &judgement.standing)
-        && claimed != *mode
-    {
-        judgement.boundary = Boundary::near(arch, claimed);
-    }
-    judgement
+    judgement.with_boundary(arch, claim)
+}
+
+/// Judges what is claimed of arches as [`judge`] judges each, but that their states are proved many at a time; a row
+/// that cannot be read keeps its reason.
+pub fn judge_all(
+    rows: &[Result<(Arch, RowClaim), String>],
+    demand: Demand,
+) -> Vec<Result<Judgement, String>> {
+    let frictions = rows.iter().flatten().any(|(_, claim)| claim.tells_frictions());
+    let arch = |row: &Result<(Arch, RowClaim), String>| {
+        let (arch, claim) = row.as_ref().ok()?;
+        let is_quick = claim.thickness.is_none() && Tier::DoubleDoubles.has(claim.digits());
+        is_quick.then(|| (arch.weight(), SharedOpening::enclosed_arch(arch)))
+    };
+    let known = outcomes_in_lanes(rows.iter().map(arch), frictions);
+    let judged = |(row, known): (&Result<(Arch, RowClaim), String>, Option<_>)| {
+        let (arch, claim) = row.as_ref().map_err(Clone::clone)?;
+        let compared = known.and_then(|(outcome, sliding_friction)| {
+            let proved = ProvedArch { outcome, sliding_friction, assessment: None };
+            Some(compare(claim, &proved, demand)?.with_boundary(arch, claim))
+        });
+        Ok(compared.unwrap_or_else(|| judge(arch, claim, demand)))
+    };
+    rows.iter().zip(known).map(judged).collect()
 }
 
 /// A claim beside what is proved in numbers that have the bits that they have, if these are enough.
@@ -178,7 +209,7 @@ fn proved<E: Comparable>(
     claim: &RowClaim,
     bits: u32,
 ) -> Result<ProvedArch<E>, Undecided> {
-    let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
+    let frictions = claim.tells_frictions();
     let outcome = E::state(arch, bits, frictions)?;
     let asked = frictions && matches!(outcome, Outcome::Falls(_));
     let assessed = claim.thickness.as_ref().map(|eta| assessed(arch, eta, claim, bits));
@@ -249,4 +280,57 @@ fn compare<E: Comparable>(
         });
     }
     Some(Judgement { numbers, ..Judgement::bare(standing, stands, verdict) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Said;
+    use super::*;
+    use crate::arch::SelfWeight;
+    use crate::certify::state::{Answer, Certify};
+    use crate::problem::Quantity;
+
+    /// A claim about an arch: the true thickness to 17 digits with a thrust that is wrong, or a mode, or frictions.
+    fn row(arch: Arch, which: usize) -> Result<(Arch, RowClaim), String> {
+        let thickness = match arch.certify(17).map_err(|error| error.to_string())? {
+            Answer::Stands(state) => state.thickness.to_string(),
+            Answer::Falls { .. } => "0.1".to_owned(),
+        };
+        let numbers = match which % 4 {
+            0 => vec![(Quantity::Thickness, &*thickness), (Quantity::Thrust, "0.5")],
+            1 => vec![(Quantity::SlidingFriction, "0.3"), (Quantity::RotationalFriction, "inf")],
+            // More digits than double-doubles decide.
+            2 => vec![(Quantity::Thickness, "0.123456789012345678901234567890123")],
+            _ => vec![],
+        };
+        let numbers = numbers.into_iter().map(|(of, text)| (of, text, false)).collect();
+        let thickness = (which % 5 == 4).then(|| "0.2".parse().unwrap());
+        let mode = (which % 4 == 3).then_some("[r,r,s]");
+        let said = Said { numbers, thickness, mode, ..Said::default() };
+        Ok((arch, RowClaim::read(&said).map_err(|error| error.to_string())?))
+    }
+
+    #[test]
+    fn rows_are_judged_together_as_each_alone() {
+        let frictions = ["0.05", "0.3", "0.6", "1.35", "2.5", "inf"];
+        let openings = ["0.03", "0.7", "80deg", "2.45", "2.61", "3"];
+        let arches = SelfWeight::ALL.into_iter().flat_map(|weight| {
+            let of =
+                move |alpha| frictions.map(|mu| Arch::parse(weight.name(), alpha, mu).unwrap());
+            openings.into_iter().flat_map(of)
+        });
+        let mut rows: Vec<_> = arches.enumerate().map(|(which, arch)| row(arch, which)).collect();
+        rows.insert(5, Err("the friction is empty".to_owned()));
+        let alone = |row: &Result<(Arch, RowClaim), String>| {
+            row.as_ref()
+                .map_err(Clone::clone)
+                .map(|(arch, claim)| judge(arch, claim, Demand::USUAL))
+        };
+        let together = judge_all(&rows, Demand::USUAL);
+        let verdicts = together.iter().flatten().map(|found| found.verdict);
+        assert!(verdicts.collect::<std::collections::BTreeSet<_>>().len() > 4);
+        for (row, found) in rows.iter().zip(together) {
+            assert_eq!(format!("{found:?}"), format!("{:?}", alone(row)), "{row:?}");
+        }
+    }
 }

@@ -32,6 +32,14 @@ const MAX_EXPONENT: i64 = 1_000_000;
 
 shown_as_text!(Decimal);
 
+/// A power of ten.
+#[cfg(feature = "mpfr")]
+pub fn power_of_ten(exponent: u32) -> rug::Integer {
+    use rug::{Integer, ops::Pow};
+    let short = 10u128.checked_pow(exponent);
+    short.map_or_else(|| Integer::from(10).pow(exponent), Integer::from)
+}
+
 impl Decimal {
     /// The decimal of a sign, digits and the power of ten of the last digit.
     pub(super) fn new(negative: bool, digits: String, exponent: i64) -> Self {
@@ -70,10 +78,13 @@ impl Decimal {
     /// The exact value.
     #[cfg(feature = "mpfr")]
     pub fn to_rational(&self) -> rug::Rational {
-        use rug::{Integer, Rational, ops::Pow};
+        use rug::{Integer, Rational};
         let digits = if self.digits.is_empty() { "0" } else { &self.digits };
-        let integer = Integer::from_str_radix(digits, 10).unwrap_or_default();
-        let scale = Integer::from(10).pow(self.exponent.unsigned_abs() as u32);
+        let integer = match digits.parse::<u64>() {
+            Ok(integer) => integer.into(),
+            Err(_) => Integer::from_str_radix(digits, 10).unwrap_or_default(),
+        };
+        let scale = power_of_ten(self.exponent.unsigned_abs() as u32);
         let value = if self.exponent < 0 {
             Rational::from((integer, scale))
         } else {

@@ -113,6 +113,8 @@ mod written;
 pub use crate::{as_text, list, operators, says, shown_as_text, worded};
 pub use angle::Angle;
 pub use astro::{Astro, RoundingMode};
+#[cfg(feature = "mpfr")]
+pub use decimal::power_of_ten;
 pub use decimal::{Decimal, ParseDecimalError};
 pub use derivatives::Derivatives;
 pub use double_ball::DoubleBall;

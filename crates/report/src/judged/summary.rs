@@ -145,9 +145,9 @@ impl QuantitySummary {
 
 /// The graver verdict is greater; then fewer correct digits; then the larger relative error.
 fn by_gravity(a: &JudgedRow, b: &JudgedRow) -> Ordering {
-    let fewer = b.correct_digits().cmp(&a.correct_digits());
-    let relative = by_size(worst_relative(a), worst_relative(b));
-    a.verdict().cmp(&b.verdict()).then(fewer).then(relative)
+    let fewer = || b.correct_digits().cmp(&a.correct_digits());
+    let relative = || by_size(worst_relative(a), worst_relative(b));
+    a.verdict().cmp(&b.verdict()).then_with(fewer).then_with(relative)
 }
 
 fn worst_relative(row: &JudgedRow) -> Option<&Decimal> {
@@ -157,10 +157,10 @@ fn worst_relative(row: &JudgedRow) -> Option<&Decimal> {
 
 /// Order of two sizes that are not negative; none is the least.
 fn by_size(a: Option<&Decimal>, b: Option<&Decimal>) -> Ordering {
-    let key = |x: &Decimal| {
+    fn key(x: &Decimal) -> (bool, i64, &str) {
         let zero = x.digits().is_empty();
-        (!zero, if zero { 0 } else { x.magnitude() }, x.digits().to_owned())
-    };
+        (!zero, if zero { 0 } else { x.magnitude() }, x.digits())
+    }
     a.map(key).cmp(&b.map(key))
 }
 

@@ -4,11 +4,13 @@ use super::arch::ArchReader;
 use super::columns::Cells;
 use super::keep::ReadRow;
 use super::roles::Role;
+use super::source::Numbered;
 use crate::ask::{Field, notes};
-use crate::judge::{Demand, RowClaim, Said, judge};
+use crate::judge::{Demand, RowClaim, Said, judge_all};
 use crate::parse::thickness;
-use crate::problem::Quantity;
+use crate::problem::{Arch, Quantity};
 use crate::report::judged::JudgedRow;
+use rayon::prelude::*;
 
 /// Reader and judge of rows.
 pub struct Judge {
@@ -18,22 +20,35 @@ pub struct Judge {
     pub demand: Demand,
 }
 
+/// Rows whose arches are proved together.
+const PIECE: usize = 128;
+
 impl Judge {
-    /// Judges a row.
-    pub fn row(&self, line: u64, row: Result<ReadRow, String>) -> JudgedRow {
-        let (cells, kept) = match row {
-            Ok(ReadRow { cells, kept }) => (Ok(cells), kept),
-            Err(error) => (Err(error), Vec::new()),
+    /// Judges some rows, in their order, on all cores.
+    pub fn rows(&self, rows: Vec<Numbered<ReadRow>>) -> Vec<JudgedRow> {
+        let read = |(_, row): &Numbered<ReadRow>| {
+            let mut note = None;
+            let mut asked = || {
+                let cells = &row.as_ref().map_err(Clone::clone)?.cells;
+                let (arch, ..) = self.reader.arch(cells)?;
+                note = notes([arch.friction()]).pop();
+                Ok((arch, self.claim(cells)?))
+            };
+            let asked: Result<(Arch, RowClaim), String> = asked();
+            (asked, note)
         };
-        let described = cells.as_ref().map(|cells| self.reader.described(cells));
-        let [weight, half_opening, friction] = described.unwrap_or_default();
-        let (mut note, mut claim) = (None, None);
-        let outcome = cells.and_then(|cells| {
-            let (arch, ..) = self.reader.arch(&cells)?;
-            note = notes([arch.friction()]).pop();
-            Ok(judge(&arch, claim.insert(self.claim(&cells)?), self.demand))
-        });
-        JudgedRow { line, weight, half_opening, friction, claim, note, kept, outcome }
+        let (all, notes): (Vec<_>, Vec<_>) = rows.par_iter().map(read).unzip();
+        let judge = |all: &[_]| judge_all(all, self.demand);
+        let judged: Vec<_> = all.par_chunks(PIECE).flat_map_iter(judge).collect();
+        let row = |((line, row), asked, note, outcome): (_, Result<_, _>, _, _)| {
+            let row: Result<ReadRow, String> = row;
+            let described = row.as_ref().map(|row| self.reader.described(&row.cells));
+            let [weight, half_opening, friction] = described.unwrap_or_default();
+            let claim = asked.ok().map(|(_, claim): (Arch, _)| claim);
+            let kept = row.map_or_else(|_| Vec::new(), |row| row.kept);
+            JudgedRow { line, weight, half_opening, friction, claim, note, kept, outcome }
+        };
+        (rows, all, notes, judged).into_par_iter().map(row).collect()
     }
 
     fn claim(&self, cells: &Cells) -> Result<RowClaim, String> {

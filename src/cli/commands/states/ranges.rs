@@ -5,13 +5,14 @@ use super::counts::Counts;
 use super::opened::Opened;
 use crate::ask::{ArchQuestion, Field, Spelling, SurveyGiven};
 use crate::cli::commands::output::{chosen, is_written};
-use crate::cli::commands::stream::written_alone;
+use crate::cli::commands::stream::written;
 use crate::problem::Quantity;
 use crate::report::words::distinct;
 use crate::report::{Content, SurveyedArches, SurveyedRow, SurveyedRows};
 use crate::sweep::failure::Failure;
 use crate::sweep::rows::{ArchReader, Cells, Numbered, ReadRow};
 use crate::sweep::surveyed::{of_rows, surveyed};
+use rayon::prelude::*;
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(format) = arguments.format {
@@ -43,7 +44,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             (row, text)
         };
         let count = |row: SurveyedRow| counts.add(row.is_refused(), row.is_undecided());
-        counts.rows = Some(written_alone(given.rows, &progress, answer, out, count)?);
+        let answers = |rows: Vec<_>| rows.into_par_iter().map(answer).collect();
+        counts.rows = Some(written(given.rows, &progress, answers, out, count)?);
         Ok(())
     })?;
     counts.verdict()
