@@ -4,6 +4,7 @@ use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchQuestion, Field, Spelling, SurveyGiven};
 use crate::certify::Error;
 use crate::failure::Failure;
+use crate::number::list;
 use crate::problem::Quantity;
 use crate::problem::survey::Survey;
 use crate::report::words::distinct;
@@ -11,27 +12,13 @@ use crate::report::{MeasureAlone, SurveyedArches, Understood};
 use couplet_survey::{SurveyAnswer, survey, survey_of_stones};
 
 /// Quantities of which ranges are told, of arches of a thickness.
-const ASSESSED: [Quantity; 10] = [
-    Quantity::LeastThickness,
-    Quantity::GeometricSafety,
-    Quantity::RequiredFriction,
-    Quantity::FrictionSafety,
-    Quantity::LeastThrust,
-    Quantity::LargestThrust,
-    Quantity::ThicknessInMetres,
-    Quantity::Weight,
-    Quantity::LeastForce,
-    Quantity::LargestForce,
+const ASSESSED: [Quantity; 10] = list![
+    Quantity: LeastThickness GeometricSafety RequiredFriction FrictionSafety LeastThrust LargestThrust
+    ThicknessInMetres Weight LeastForce LargestForce
 ];
 
 /// Quantities of which they are told of arches at their least thickness.
-const STATED: [Quantity; 5] = [
-    Quantity::Thickness,
-    Quantity::LeastThickness,
-    Quantity::Thrust,
-    Quantity::Weight,
-    Quantity::Force,
-];
+const STATED: [Quantity; 5] = list![Quantity: Thickness LeastThickness Thrust Weight Force];
 
 /// Quantities of which ranges are told.
 pub fn quantities(asked: &ArchAsked) -> Vec<Quantity> {
