@@ -145,11 +145,9 @@ impl SurveyGiven {
         thickness: Option<&ExactNumber>,
         measured: Option<&[Length; 3]>,
     ) -> ArchAsked {
-        let [low, high] = &self.ends;
+        let low = &self.ends[0];
         let mut one = low.clone();
-        let end =
-            |ends: &[Friction; 2]| ends.iter().position(|friction| friction == arch.friction());
-        match end(&self.friction) {
+        match self.friction.iter().position(|friction| friction == arch.friction()) {
             Some(end) => {
                 one.friction.clone_from(&self.ends[end].friction);
                 one.friction_angle.clone_from(&self.ends[end].friction_angle);
@@ -159,14 +157,10 @@ impl SurveyGiven {
             }
         }
         if let Some(measured) = measured {
-            for (field, length) in
-                [Field::Span, Field::Rise, Field::Thickness].into_iter().zip(measured)
-            {
-                let said = |end: &&ArchAsked| {
-                    let length = Some(length);
-                    end.get(field).and_then(|text| text.parse().ok()).as_ref() == length
-                };
-                let said = [low, high].into_iter().find(said).and_then(|end| end.get(field));
+            let fields = [Field::Span, Field::Rise, Field::Thickness];
+            for (field, length) in fields.into_iter().zip(measured) {
+                let is_it = |text: &&str| text.parse().ok().as_ref() == Some(length);
+                let said = self.ends.iter().filter_map(|end| end.get(field)).find(is_it);
                 let text = || format!("{}m", decimal(length.metres()));
                 *one.at(field) = Some(said.map_or_else(text, str::to_owned));
             }
@@ -253,15 +247,14 @@ fn shape(
         }
         (Some(span), Some(rise), None) if low.half_opening.is_none() => {
             let (made, radii) = (made(span, rise), Some(radii(span, rise)));
+            if let Some(thickness) = of_lengths(ends) {
+                let thickness = ordered(ends, thickness, Field::Thickness)?;
+                short(ends)?;
+                let (span, rise) = (span.clone(), rise.clone());
+                return Ok((Shape::Spanned { circle, span, rise, thickness }, radii));
+            }
             let of = made.clone().map(|(_, radius)| Measures::new(circle, radius, None));
-            let thickness = match thickness(ends, Some(&of), spelling)? {
-                Thickness::Lengths(thickness) => {
-                    short(ends)?;
-                    let (span, rise) = (span.clone(), rise.clone());
-                    return Ok((Shape::Spanned { circle, span, rise, thickness }, radii));
-                }
-                ratio => ratio.ratios(),
-            };
+            let thickness = thickness(ends, Some(&of), spelling)?;
             let half_opening = made.map(|(alpha, _)| alpha);
             return Ok((Shape::Free { half_opening, thickness }, radii));
         }
@@ -292,11 +285,12 @@ fn shape(
         }
     };
     let of = radius.clone().map(|ends| ends.map(|radius| Measures::new(circle, radius, None)));
-    let thickness = match (thickness(ends, of.as_ref(), spelling)?, &radius) {
-        (Thickness::Lengths(lengths), Some(radius)) => {
+    let thickness = match (of_lengths(ends), &radius) {
+        (Some(lengths), Some(radius)) => {
+            let lengths = ordered(ends, lengths, Field::Thickness)?;
             Some(ratios(lengths, radius.clone(), circle)?)
         }
-        (thickness, _) => thickness.ratios(),
+        _ => thickness(ends, of.as_ref(), spelling)?,
     };
     Ok((Shape::Free { half_opening, thickness }, radius))
 }
@@ -337,40 +331,21 @@ fn ratios(
     Ok([ratio(large, thin)?, ratio(small, thick)?])
 }
 
-/// Least and largest thickness as they are given.
-enum Thickness {
-    None,
-    Ratios([ExactNumber; 2]),
-    Lengths([Length; 2]),
-}
-
-impl Thickness {
-    fn ratios(self) -> Option<[ExactNumber; 2]> {
-        match self {
-            Self::Ratios(ratios) => Some(ratios),
-            Self::None | Self::Lengths(_) => None,
-        }
-    }
-}
-
-/// Thicknesses of both ends, beside the measures of two arches where there are any.
+/// Thickness ratios of both ends, beside the measures of two arches where there are any.
 fn thickness(
     ends: &[ArchAsked; 2],
     measures: Option<&[Measures; 2]>,
     spelling: Spelling,
-) -> Result<Thickness, Misfit> {
-    if let (Some(lengths), Some(_)) = (of_lengths(ends), measures) {
-        return ordered(ends, lengths, Field::Thickness).map(Thickness::Lengths);
-    }
+) -> Result<Option<[ExactNumber; 2]>, Misfit> {
     let read = |end: usize| {
         let measures = measures.map(|of| &of[end]);
         let text = ends[end].thickness.as_deref();
         text.map(|text| given_thickness(text, measures, spelling)).transpose()
     };
-    let (Some(low), Some(high)) = (read(0)?, read(1)?) else { return Ok(Thickness::None) };
+    let (Some(low), Some(high)) = (read(0)?, read(1)?) else { return Ok(None) };
     let [first, last] = ends.each_ref().map(|end| length(end, Field::Thickness).is_some());
     match first == last {
-        true => Ok(Thickness::Ratios([low, high])),
+        true => Ok(Some([low, high])),
         false => Err(Misfit::new(
             Field::Thickness,
             "one end of the thickness is a length and the other a ratio: give two of a kind (50cm..60cm, 0.1r..0.12r)",
