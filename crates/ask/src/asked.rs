@@ -165,14 +165,17 @@ impl ArchAsked {
         self.ranges().next().is_some()
     }
 
+    /// Range of a field, if it is one.
+    fn range(&self, field: Field) -> Result<Option<Range>, Misfit> {
+        let range = self.get(field).map_or(Ok(None), Range::read);
+        range.map_err(|error| Misfit::new(field, error))
+    }
+
     /// Texts of the lower ends and of the upper ends; a field without a range is the same in both.
     pub fn ends(&self) -> Result<[Self; 2], Misfit> {
         let mut ends = [self.clone(), self.clone()];
         for field in self.ranges() {
-            let range = self.get(field).map_or(Ok(None), Range::read);
-            if let Some(Range { lower, upper }) =
-                range.map_err(|error| Misfit::new(field, error))?
-            {
+            if let Some(Range { lower, upper }) = self.range(field)? {
                 let [low, high] = &mut ends;
                 (*low.at(field), *high.at(field)) = (Some(lower), Some(upper));
             }
@@ -182,10 +185,8 @@ impl ArchAsked {
 
     /// Measures with a tolerance, a range of some extent, on each of which it depends whether an arch stands.
     pub fn tolerances(&self) -> Vec<Field> {
-        let has_extent = |of: &Field| {
-            let range = self.get(*of).and_then(|text| Range::read(text).ok().flatten());
-            range.is_some_and(|range| has_extent(&range))
-        };
+        let has_extent =
+            |of: &Field| self.range(*of).ok().flatten().is_some_and(|range| has_extent(&range));
         let is_load = |of: &Field| [Field::Density, Field::Depth].contains(of);
         self.ranges().filter(|of| !is_load(of) && has_extent(of)).collect()
     }
@@ -195,10 +196,9 @@ impl ArchAsked {
     pub fn alone(&self, measure: Field) -> Result<Self, Misfit> {
         let mut alone = Self { density: None, depth: None, ..self.clone() };
         for other in self.tolerances().into_iter().filter(|of| *of != measure) {
-            let text = self.get(other).unwrap_or_default();
-            let range = Range::read(text).ok().flatten();
-            let middle = range.and_then(|range| middle(&range).ok());
-            let why = || format!("{} {} has no exact middle", other.name(), shown(text));
+            let text = shown(self.get(other).unwrap_or_default());
+            let middle = self.range(other)?.and_then(|range| middle(&range).ok());
+            let why = || format!("{} {text} has no exact middle", other.name());
             *alone.at(other) = Some(middle.ok_or_else(|| Misfit::new(other, why()))?);
         }
         Ok(alone)

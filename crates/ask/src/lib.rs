@@ -29,7 +29,7 @@ pub use asked::{ArchAsked, Field, quoted};
 pub use boxes::{boxes, steps};
 pub use given::ArchGiven;
 pub use note::{array_note, notes, tilt_note};
-pub use question::{ArchQuestion, Misfit, Spelling};
+pub use question::{ArchQuestion, Misfit, Spelling, makes_an_arc};
 pub use range::Range;
 pub use stones::{MOST_NUMBERS, StonesAsked};
 pub use survey::SurveyGiven;

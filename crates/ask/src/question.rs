@@ -1,6 +1,7 @@
 //! Fields that a question takes, those that it needs, and the reasons why it does not take the rest.
 
 use super::asked::{ArchAsked, Field};
+use crate::number::list;
 use std::fmt::{self, Display};
 
 /// Question about an arch.
@@ -69,10 +70,22 @@ const INSTEAD: [(Field, Field); 3] = [
     (Field::Stones, Field::Joints),
     (Field::Friction, Field::FrictionAngle),
 ];
-/// Measures of which any two make an arc.
-const ARC: [Field; 4] = [Field::HalfOpening, Field::Span, Field::Rise, Field::Radius];
+/// Measures of which any two make an arc; joints have a half opening.
+const ARC: [Field; 5] = list![Field: HalfOpening Span Rise Radius Joints];
 /// Pairs of which one makes no sense without the other.
 const WITH: [(Field, Field); 2] = [(Field::Density, Field::Depth), (Field::Depth, Field::Density)];
+
+/// Refuses a span or a rise of which alone no arc is made.
+pub fn makes_an_arc(has: impl Fn(Field) -> bool, spelling: Spelling) -> Result<(), Misfit> {
+    let mut of_arc = ARC.into_iter().filter(|field| has(*field));
+    if let (Some(one @ (Field::Span | Field::Rise)), None) = (of_arc.next(), of_arc.next()) {
+        let other = if one == Field::Span { Field::Rise } else { Field::Span };
+        let all = [one, other, Field::Radius, Field::HalfOpening];
+        let [one_of, other, radius, alpha] = all.map(|field| spelling.of(field));
+        return Err(Misfit::new(one, format!("{one_of} needs {other}, {radius} or {alpha}")));
+    }
+    Ok(())
+}
 
 impl ArchQuestion {
     /// Question that takes any field, about an arch with a half opening and a friction.
@@ -93,13 +106,7 @@ impl ArchQuestion {
                 format!("{} and {} say the same: give one of them", name(one), name(other));
             return Err(Misfit::new(other, message));
         }
-        let mut of_arc = ARC.into_iter().chain([Field::Joints]).filter(|field| has(*field));
-        if let (Some(one @ (Field::Span | Field::Rise)), None) = (of_arc.next(), of_arc.next()) {
-            let other = name(if one == Field::Span { Field::Rise } else { Field::Span });
-            let [alpha, radius] = [Field::HalfOpening, Field::Radius].map(name);
-            let message = format!("{} needs {other}, {radius} or {alpha}", name(one));
-            return Err(Misfit::new(one, message));
-        }
+        makes_an_arc(has, spelling)?;
         if let Some((one, other)) = WITH.into_iter().find(|(a, b)| has(*a) && !has(*b)) {
             return Err(Misfit::new(one, format!("{} needs {}", name(one), name(other))));
         }

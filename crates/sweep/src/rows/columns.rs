@@ -2,7 +2,7 @@
 
 use super::object::JsonObject;
 use super::roles::{Purpose, Role};
-use crate::ask::{Field, Spelling};
+use crate::ask::{Field, Spelling, makes_an_arc};
 use crate::problem::Quantity;
 use crate::report::words::{first_of, shortened};
 use std::borrow::Cow;
@@ -236,48 +236,32 @@ impl Columns {
                 return Err(format!("{have} '{a}' and '{b}', which are the same{how}"));
             }
         }
-        let wanted = |what: &str, (role, instead): (Role, &str)| {
+        let need = |is_there: bool, what: &str, (role, instead): (Role, &str)| {
             let name = role.name();
-            Err(match self.purpose {
-                Purpose::Ask => format!("{have} no column '{name}', nor {instead}"),
+            match self.purpose {
+                _ if is_there => Ok(()),
+                Purpose::Ask => Err(format!("{have} no column '{name}', nor {instead}")),
                 Purpose::Judge | Purpose::Assemblies => {
-                    format!("{have} no column for {what}: name one, --columns theirs={name}")
+                    Err(format!("{have} no column for {what}: name one, --columns theirs={name}"))
                 }
-            })
+            }
         };
         if self.purpose == Purpose::Assemblies {
-            return if has(Role::Stands) {
-                Ok(())
-            } else {
-                wanted("the verdict", (Role::Stands, ""))
-            };
+            return need(has(Role::Stands), "the verdict", (Role::Stands, ""));
         }
         let given = |field| has(Role::Given(field));
-        let sizes = [Field::Span, Field::Rise, Field::Radius].map(given);
-        let made = sizes.into_iter().filter(|has| *has).count();
-        if let ([true, false, false] | [false, true, false], false) =
-            (sizes, given(Field::HalfOpening))
-        {
-            let [one, other] = if sizes[0] { ["span", "rise"] } else { ["rise", "span"] };
-            return Err(format!("{one} needs {other}, radius or half_opening"));
+        makes_an_arc(given, Spelling::Key).map_err(|misfit| misfit.message)?;
+        let sizes = [Field::Span, Field::Rise, Field::Radius].into_iter().filter(|of| given(*of));
+        let is_opened = given(Field::HalfOpening) || sizes.count() >= 2;
+        let instead = "two of 'span', 'rise' and 'radius'";
+        need(is_opened, "the half opening", (Role::Given(Field::HalfOpening), instead))?;
+        let [mu, phi] = [Field::Friction, Field::FrictionAngle].map(given);
+        need(mu || phi, "the friction", (Role::Given(Field::Friction), "'friction_angle'"))?;
+        if mu && phi && self.named {
+            return Err(format!("{have} both friction and friction_angle: choose one"));
         }
-        if !given(Field::HalfOpening) && made < 2 {
-            let instead = "two of 'span', 'rise' and 'radius'";
-            return wanted("the half opening", (Role::Given(Field::HalfOpening), instead));
-        }
-        match (given(Field::Friction), given(Field::FrictionAngle)) {
-            (false, false) => {
-                return wanted("the friction", (Role::Given(Field::Friction), "'friction_angle'"));
-            }
-            (true, true) if self.named => {
-                return Err(format!("{have} both friction and friction_angle: choose one"));
-            }
-            _ => {}
-        }
-        if self.purpose == Purpose::Judge && !there().any(|column| column.role.is_claim()) {
-            return wanted("anything to judge", (Role::Number(Quantity::Thickness), ""));
-        }
-        Ok(())
+        let is_judged = self.purpose != Purpose::Judge || there().any(|of| of.role.is_claim());
+        need(is_judged, "anything to judge", (Role::Number(Quantity::Thickness), ""))
     }
 }
 

@@ -194,22 +194,18 @@ impl TextRows {
         let is_read = |place: usize| self.read.as_ref().is_none_or(|read| read.contains(&place));
         let Some(dialect) = self.dialect else { return Ok(Vec::new()) };
         let fields = dialect.fields(&record.bytes, is_read);
-        match &fields {
-            Ok(fields) if fields.len() == width => {}
-            _ if end > first + 1 => self.lines.give_back(&record.bytes[record.first..], first + 1),
-            _ => {}
+        if fields.as_ref().is_ok_and(|fields| fields.len() == width) {
+            return fields;
         }
-        let found = fields?;
-        match found.len() {
-            length if length == width => Ok(found),
-            length if end > first + 1 => Err(format!(
-                "{length} fields where the header has {width}, up to a quote that closes in line {}",
-                end - 1
-            )),
-            length => Err(format!(
-                "{length} fields where the header has {width}; a field with commas has to be quoted"
-            )),
+        let has_several_lines = end > first + 1;
+        if has_several_lines {
+            self.lines.give_back(&record.bytes[record.first..], first + 1);
         }
+        let why = match has_several_lines {
+            true => format!(", up to a quote that closes in line {}", end - 1),
+            false => "; a field with commas has to be quoted".to_owned(),
+        };
+        Err(format!("{} fields where the header has {width}{why}", fields?.len()))
     }
 }
 

@@ -22,11 +22,7 @@ impl Dialect {
         let most = |best: u8, next: u8| if fields(next) > fields(best) { next } else { best };
         match [b';', b'\t'].into_iter().fold(b',', most) {
             separator if fields(separator) > 0 => Self::Separated(separator),
-            _ if header.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count()
-                > 1 =>
-            {
-                Self::Blanks
-            }
+            _ if words(header).count() > 1 => Self::Blanks,
             _ => Self::Separated(b','),
         }
     }
@@ -50,16 +46,19 @@ impl Dialect {
             Ok(text) => Ok(text.trim().to_owned()),
             Err(_) => Err(format!("field {} is not valid UTF-8", place + 1)),
         };
-        let separator = match self {
-            Self::Separated(separator) => separator,
-            Self::Blanks => {
-                let words = record.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-                return words.enumerate().map(text).collect();
+        match self {
+            Self::Blanks => words(record).enumerate().map(text).collect(),
+            Self::Separated(separator) => {
+                let fields = unquoted(record, separator);
+                fields.iter().map(AsRef::as_ref).enumerate().map(text).collect()
             }
-        };
-        let fields = unquoted(record, separator);
-        fields.iter().map(AsRef::as_ref).enumerate().map(text).collect()
+        }
     }
+}
+
+/// Words of a text, which have blanks between them.
+fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
 }
 
 /// The fields of a row, without their quotes; none of an empty one. A reader of the CSV library is made for a file:
