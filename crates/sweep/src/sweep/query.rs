@@ -52,19 +52,23 @@ pub(super) struct Listed {
     pub arches: Vec<Result<Arch, String>>,
 }
 
-impl PartQueries<'_> {
-    /// Number of rows.
-    pub(super) fn len(&self) -> usize {
-        match &self.arches {
-            PartArches::Grid(PartGrid { columns, frictions }) => columns.len() * frictions.len(),
-            PartArches::Listed(listed) => listed.arches.len(),
-        }
+impl<'a> PartGrid<'a> {
+    /// Weight, half opening and friction of a row.
+    pub(super) fn at(
+        &self,
+        row: usize,
+    ) -> (SelfWeight, &AxisNumber<ExactNumber>, &'a AxisNumber<Friction>) {
+        let (weight, half_opening) = &self.columns[row / self.frictions.len()];
+        (*weight, half_opening, &self.frictions[row % self.frictions.len()])
     }
 }
 
 impl BatchArches for PartQueries<'_> {
     fn count(&self) -> usize {
-        self.len()
+        match &self.arches {
+            PartArches::Grid(PartGrid { columns, frictions }) => columns.len() * frictions.len(),
+            PartArches::Listed(listed) => listed.arches.len(),
+        }
     }
 
     fn openings(&self, rows: &[usize]) -> Vec<Vec<usize>> {
@@ -80,10 +84,9 @@ impl BatchArches for PartQueries<'_> {
 
     fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)> {
         match &self.arches {
-            PartArches::Grid(PartGrid { columns, frictions }) => {
-                let (weight, half_opening) = &columns[row / frictions.len()];
-                let friction = &frictions[row % frictions.len()];
-                Some((*weight, ((half_opening.enclosed?, friction.enclosed), None)))
+            PartArches::Grid(grid) => {
+                let (weight, half_opening, friction) = grid.at(row);
+                Some((weight, ((half_opening.enclosed?, friction.enclosed), None)))
             }
             PartArches::Listed(listed) => {
                 let arch = listed.arches[row].as_ref().ok()?;
@@ -94,10 +97,9 @@ impl BatchArches for PartQueries<'_> {
 
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {
         match &self.arches {
-            PartArches::Grid(PartGrid { columns, frictions }) => {
-                let (weight, half_opening) = &columns[row / frictions.len()];
-                let friction = frictions[row % frictions.len()].number.clone();
-                let arch = Arch::new(*weight, half_opening.number.clone(), friction);
+            PartArches::Grid(grid) => {
+                let (weight, half_opening, friction) = grid.at(row);
+                let arch = Arch::new(weight, half_opening.number.clone(), friction.number.clone());
                 arch.map(Cow::Owned).map_err(|error| error.to_string())
             }
             PartArches::Listed(listed) => {

@@ -88,15 +88,14 @@ impl Store {
         let record = format!("{name}{RECORD}");
         let path = output.join(&record);
         let shown = shortened(&record);
-        match path.is_file() {
-            true => {}
-            false if whole.join(OLD_RECORD).is_file() => {
-                return Err(wrong(format!(
+        if !path.is_file() {
+            return Err(wrong(match whole.join(OLD_RECORD).is_file() {
+                true => format!(
                     "it is of an older couplet, which kept the record among the parts: move {OLD_RECORD} beside it, \
                      as {shown}"
-                )));
-            }
-            false => return Err(wrong(format!("{none}: it has no {shown} beside it"))),
+                ),
+                false => format!("{none}: it has no {shown} beside it"),
+            }));
         }
         let text = match record_bytes(&path) {
             Err(error) if error.kind() == io::ErrorKind::InvalidData => Vec::new(),
@@ -108,15 +107,12 @@ impl Store {
             wrong(format!("{shown} is not the record of a sweep of this version"))
         })?;
         let plan = record.hash();
-        match (name == named(&plan), &record.couplet[..]) {
-            (true, VERSION) => {}
-            (true, other) => {
-                let other = shortened(other);
-                return Err(wrong(format!("couplet {other} began it, and this is {VERSION}")));
-            }
-            (false, _) => {
-                return Err(wrong(format!("{shown} is the record of {}", named(&plan))));
-            }
+        if name != named(&plan) {
+            return Err(wrong(format!("{shown} is the record of {}", named(&plan))));
+        }
+        if record.couplet != VERSION {
+            let other = shortened(&record.couplet);
+            return Err(wrong(format!("couplet {other} began it, and this is {VERSION}")));
         }
         record.check().map_err(wrong)?;
         Ok((Self { folder: folder.to_owned(), output: output.to_owned(), plan }, record))
@@ -164,20 +160,18 @@ impl Store {
     /// The files in the folder of a sweep of so many parts, with their sizes. Hidden names are nobody's data.
     pub(super) fn files(&self, parts: usize) -> Result<PartFiles, Failure> {
         let mut files = PartFiles::default();
-        match parts {
-            0..=TOGETHER => self.folder_of(0..parts, "", &mut files)?,
-            _ => {
-                let firsts = (0..parts).step_by(TOGETHER);
-                let folders: Vec<String> =
-                    firsts.clone().map(|first| within(first, parts)).collect();
-                for (first, folder) in firsts.zip(&folders) {
-                    self.folder_of(first..parts.min(first + TOGETHER), folder, &mut files)?;
-                }
-                let is_folder = |name: &str| folders.iter().any(|of| of[..of.len() - 1] == *name);
-                let mut others = self.entries("")?;
-                others.retain(|(name, path)| !(path.is_dir() && is_folder(name)));
-                files.strays.extend(others.into_iter().map(|(name, _)| name));
-            }
+        // A sweep without parts has a folder too.
+        let firsts = (0..parts.max(1)).step_by(TOGETHER);
+        let folders: Vec<String> = firsts.clone().map(|first| within(first, parts)).collect();
+        for (first, folder) in firsts.zip(&folders) {
+            self.folder_of(first..parts.min(first + TOGETHER), folder, &mut files)?;
+        }
+        if parts > TOGETHER {
+            let is_folder =
+                |name: &str| folders.iter().any(|of| of.strip_suffix('/') == Some(name));
+            let mut others = self.entries("")?;
+            others.retain(|(name, path)| !(path.is_dir() && is_folder(name)));
+            files.strays.extend(others.into_iter().map(|(name, _)| name));
         }
         files.parts.values_mut().for_each(|of| of.sort_by(|a, b| a.path.cmp(&b.path)));
         files.strays.sort();
@@ -188,15 +182,17 @@ impl Store {
     fn entries(&self, folder: &str) -> Result<Vec<(String, PathBuf)>, Failure> {
         let path = self.folder.join(folder);
         let failed = |error: io::Error| Failure::reading(path.display(), &error);
-        let mut all = Vec::new();
+        let is_no_folder =
+            |of| matches!(of, io::ErrorKind::NotFound | io::ErrorKind::NotADirectory);
         let entries = match fs::read_dir(&path) {
-            Err(error) if is_no_folder(error.kind()) => return Ok(all),
+            Err(error) if is_no_folder(error.kind()) => return Ok(Vec::new()),
             entries => entries.map_err(failed)?,
         };
-        for entry in entries {
-            let entry = entry.map_err(failed)?;
-            all.push((entry.file_name().to_string_lossy().into_owned(), entry.path()));
-        }
+        let named = entries.map(|entry| {
+            let entry = entry?;
+            Ok((entry.file_name().to_string_lossy().into_owned(), entry.path()))
+        });
+        let mut all = named.collect::<io::Result<Vec<_>>>().map_err(failed)?;
         all.retain(|(name, _)| !name.starts_with('.'));
         Ok(all)
     }
@@ -291,10 +287,6 @@ impl Store {
 /// The name of the sweep whose record has this hash.
 fn named(plan: &str) -> String {
     format!("{FOLDER}{}", &plan[..SHOWN])
-}
-
-fn is_no_folder(error: io::ErrorKind) -> bool {
-    matches!(error, io::ErrorKind::NotFound | io::ErrorKind::NotADirectory)
 }
 
 /// The folder within that of a sweep of so many parts where one is; nothing if all are together.

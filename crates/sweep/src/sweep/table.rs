@@ -1,8 +1,8 @@
 //! The rows of a part by columns: those that are asked, and those that are answered.
 
-use super::query::{Listed, PartArches, PartGrid, PartQueries};
+use super::query::{Listed, PartArches, PartQueries};
 use crate::arch::SelfWeight;
-use crate::certify::batch::{BatchColumns, RowVerdict};
+use crate::certify::batch::{BatchArches, BatchColumns, RowVerdict};
 use crate::problem::{Mode, Quantity};
 use crate::report::{ParquetColumn, ParquetTable};
 use ::parquet::data_type::ByteArray;
@@ -12,50 +12,42 @@ pub(super) fn asked<'a>(queries: &'a PartQueries<'a>) -> ParquetTable<'a> {
     let first = queries.first;
     let mut columns =
         vec![("row".to_owned(), ParquetColumn::whole(move |row| Some(first + row as u64)))];
-    let origin = match &queries.arches {
-        PartArches::Listed(listed) => listed.origin.as_ref(),
-        PartArches::Grid(_) => None,
-    };
-    if let Some((file, lines)) = origin {
-        columns.push(("file".into(), ParquetColumn::Name(Box::new(|_| Some(file.clone())))));
-        columns.push(("line".into(), ParquetColumn::whole(move |row| Some(lines[row]))));
-    }
-    let given = match &queries.arches {
-        PartArches::Grid(PartGrid { columns, frictions }) => {
+    let (given, again): (_, &[&str]) = match &queries.arches {
+        PartArches::Grid(grid) => {
             let names = SelfWeight::ALL.map(|weight| (weight, ByteArray::from(weight.name())));
             let name = move |weight: SelfWeight| {
                 Some(names.iter().find(|(of, _)| *of == weight)?.1.clone())
             };
-            let length = frictions.len();
-            let column = move |row: usize| &columns[row / length];
-            let friction = move |row: usize| &frictions[row % length];
-            [
-                ParquetColumn::Name(Box::new(move |row| name(column(row).0))),
-                ParquetColumn::Text(Box::new(move |row| Some(column(row).1.text.clone()))),
-                ParquetColumn::Text(Box::new(move |row| Some(friction(row).text.clone()))),
-                ParquetColumn::Double(Box::new(move |row| column(row).1.double)),
-                ParquetColumn::Double(Box::new(move |row| friction(row).double)),
-            ]
+            let given = [
+                ParquetColumn::Name(Box::new(move |row| name(grid.at(row).0))),
+                ParquetColumn::Text(Box::new(|row| Some(grid.at(row).1.text.clone()))),
+                ParquetColumn::Text(Box::new(|row| Some(grid.at(row).2.text.clone()))),
+                ParquetColumn::Double(Box::new(|row| grid.at(row).1.double)),
+                ParquetColumn::Double(Box::new(|row| grid.at(row).2.double)),
+            ];
+            (given, &["friction", "friction_double"])
         }
         PartArches::Listed(listed) => {
+            if let Some((file, lines)) = &listed.origin {
+                columns
+                    .push(("file".into(), ParquetColumn::Name(Box::new(|_| Some(file.clone())))));
+                columns.push(("line".into(), ParquetColumn::whole(move |row| Some(lines[row]))));
+            }
             let Listed { texts: [weights, alphas, mus], doubles: [alpha, mu], .. } =
                 listed.as_ref();
-            [
+            let given = [
                 ParquetColumn::Name(Box::new(weights.cells())),
                 ParquetColumn::Text(Box::new(alphas.cells())),
                 ParquetColumn::Text(Box::new(mus.cells())),
                 ParquetColumn::Double(Box::new(|row| alpha[row])),
                 ParquetColumn::Double(Box::new(|row| mu[row])),
-            ]
+            ];
+            (given, &[])
         }
     };
     let names = ["weight", "half_opening", "friction", "half_opening_rad", "friction_double"];
     columns.extend(names.map(str::to_owned).into_iter().zip(given));
-    let again: &[&str] = match &queries.arches {
-        PartArches::Grid(_) => &["friction", "friction_double"],
-        PartArches::Listed(_) => &[],
-    };
-    ParquetTable { rows: queries.len(), again, once: &["row"], columns }
+    ParquetTable { rows: queries.count(), again, once: &["row"], columns }
 }
 
 /// The columns that are answered.

@@ -176,17 +176,14 @@ pub(super) fn read(
             "it has changed since the sweep began; run again for a new one".to_owned()
         })
     };
-    let rows = match head {
-        Some(head) => {
-            let table = TextRows::open(input(head.offset, head.bytes, &head.sha256)?);
-            let table = table.map_err(|error| error.to_string())?;
-            let rows = input(slice.offset, slice.bytes, &slice.sha256)?;
-            table.with_rows(rows, slice.line)
-        }
-        None => {
-            let rows = input(slice.offset, slice.bytes, &slice.sha256)?;
-            TextRows::of_objects(rows, slice.line)
-        }
+    let table = head.map(|head| {
+        let table = TextRows::open(input(head.offset, head.bytes, &head.sha256)?);
+        table.map_err(|error| error.to_string())
+    });
+    let (table, rows) = (table.transpose()?, input(slice.offset, slice.bytes, &slice.sha256)?);
+    let rows = match table {
+        Some(table) => table.with_rows(rows, slice.line),
+        None => TextRows::of_objects(rows, slice.line),
     };
     let (lines, listed) = listed(rows, slice.rows as usize, weight)?;
     match lines.len() as u64 == slice.rows {

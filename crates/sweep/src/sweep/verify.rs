@@ -1,5 +1,6 @@
 //! Looks through a sweep that was made: its parts, its rows, and what is proved of some of them.
 
+use super::query::PartQueries;
 use super::read::ReadPart;
 use super::store::PartState;
 use super::strategies::Draw;
@@ -9,11 +10,11 @@ use crate::certify::batch::{BatchArches, RowVerdict};
 use crate::certify::certify_arch;
 use crate::check::{Accepted, verify as check};
 use crate::failure::Failure;
+use crate::number::ExactNumber;
 use crate::problem::{Arch, Problem};
 use crate::report::{ParquetColumn, ParquetTable};
 use rayon::prelude::*;
 use rug::{Integer, Rational};
-use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::ops::Range;
@@ -49,8 +50,8 @@ pub fn verify(
 ) -> Result<Verified, Failure> {
     let files = sweep.store.files(sweep.parts())?;
     let ranges: Vec<Range<u64>> = parts.iter().map(|&part| sweep.rows(part)).collect();
-    let certified = AtomicUsize::new(0);
     let chosen = chosen(&ranges, sample, sweep.store.plan());
+    let look = Look { sweep, chosen, certified: AtomicUsize::new(0) };
     let none = Vec::new();
     let each = |&part: &usize| {
         let rows = sweep.rows(part);
@@ -59,7 +60,7 @@ pub fn verify(
             PartState::Missing => Verified::wrong(format!("part {part} is missing or spoiled")),
             PartState::Foreign(name) => Verified::wrong(format!("{name} does not belong here")),
             PartState::Whole(name, counts) => {
-                let found = look(sweep, (part, &name), counts, &chosen, &certified);
+                let found = look.part(part, &name, counts);
                 found.unwrap_or_else(|fault| Verified::wrong(format!("{name}: {fault}")))
             }
         };
@@ -79,111 +80,115 @@ pub fn verify(
     Ok(all)
 }
 
-/// Looks through a part that is whole, by its path, whose name has these counts.
-fn look(
-    sweep: &Sweep,
-    (part, path): (usize, &str),
-    counts: [u64; 4],
-    chosen: &BTreeSet<u64>,
-    certified: &AtomicUsize,
-) -> Result<Verified, String> {
-    let rows = sweep.rows(part);
-    let file = File::open(sweep.folder().join(path)).map_err(|error| error.to_string())?;
-    let file = ReadPart::of(file).map_err(|error| error.to_string())?;
-    let groups = sweep.record.groups(&rows);
-    if groups.len() != file.groups() {
-        return Err("it has not the row groups that the plan makes".into());
-    }
-    let (mut all, mut there) = (Verified { parts: 1, ..Verified::default() }, [0; 4]);
-    for (place, rows) in groups.into_iter().enumerate() {
-        let table = file.group(place).map_err(|error| error.to_string())?;
-        let queries = sweep.queries(&rows)?;
-        let asked = asked(&queries);
-        for (name, column) in &asked.columns {
-            let there = self::column(&table, name);
-            let are_same = |cells: &ParquetColumn| {
-                (0..asked.rows).all(|row| is_same((column, row), (cells, row)))
-            };
-            let is_whole = |n: usize| n as u64 == rows.end - rows.start;
-            if ![asked.rows, table.rows].into_iter().all(is_whole) || !there.is_some_and(are_same) {
-                return Err(format!("its column {name} is not what the plan asks"));
-            }
+/// A look through the parts of a sweep.
+struct Look<'s> {
+    sweep: &'s Sweep,
+    /// Rows that are proved again.
+    chosen: BTreeSet<u64>,
+    /// Number of rows that were to be certified so far.
+    certified: AtomicUsize,
+}
+
+impl Look<'_> {
+    /// Looks through a part that is whole, by its path, whose name has these counts.
+    fn part(&self, part: usize, path: &str, counts: [u64; 4]) -> Result<Verified, String> {
+        let sweep = self.sweep;
+        let rows = sweep.rows(part);
+        let file = File::open(sweep.folder().join(path)).map_err(|error| error.to_string())?;
+        let file = ReadPart::of(file).map_err(|error| error.to_string())?;
+        let groups = sweep.record.groups(&rows);
+        if groups.len() != file.groups() {
+            return Err("it has not the row groups that the plan makes".into());
         }
-        let Some(ParquetColumn::Text(verdicts)) = column(&table, "verdict") else {
-            return Err("it has no verdicts".into());
-        };
-        for verdict in (0..table.rows).filter_map(verdicts) {
-            let is = |of: &&RowVerdict| verdict.data() == of.name().as_bytes();
-            if let Some(of) = RowVerdict::ALL.iter().find(is) {
-                there[*of as usize] += 1;
-            }
-        }
-        all.rows += rows.end - rows.start;
-        for &number in chosen.range(rows.clone()) {
-            let row_of = (number - rows.start) as usize;
-            match row(sweep, &table, row_of, queries.arch(row_of), certified) {
-                Ok(has_certificate) => {
-                    all.again += 1;
-                    all.certified += usize::from(has_certificate);
+        let (mut all, mut there) = (Verified { parts: 1, ..Verified::default() }, [0; 4]);
+        for (place, rows) in groups.into_iter().enumerate() {
+            let table = file.group(place).map_err(|error| error.to_string())?;
+            let queries = sweep.queries(&rows)?;
+            let asked = asked(&queries);
+            for (name, column) in &asked.columns {
+                let there = column_of(&table, name);
+                let are_same = |cells: &ParquetColumn| {
+                    (0..asked.rows).all(|row| is_same((column, row), (cells, row)))
+                };
+                let is_whole = |n: usize| n as u64 == rows.end - rows.start;
+                if ![asked.rows, table.rows].into_iter().all(is_whole)
+                    || !there.is_some_and(are_same)
+                {
+                    return Err(format!("its column {name} is not what the plan asks"));
                 }
-                Err(fault) => all.faults.push(format!("{path}: row {number}: {fault}")),
+            }
+            let Some(ParquetColumn::Text(verdicts)) = column_of(&table, "verdict") else {
+                return Err("it has no verdicts".into());
+            };
+            for verdict in (0..table.rows).filter_map(verdicts) {
+                let is = |of: &&RowVerdict| verdict.data() == of.name().as_bytes();
+                if let Some(of) = RowVerdict::ALL.iter().find(is) {
+                    there[*of as usize] += 1;
+                }
+            }
+            all.rows += rows.end - rows.start;
+            for &number in self.chosen.range(rows.clone()) {
+                match self.row(&queries, &table, (number - rows.start) as usize) {
+                    Ok(has_certificate) => {
+                        all.again += 1;
+                        all.certified += usize::from(has_certificate);
+                    }
+                    Err(fault) => all.faults.push(format!("{path}: row {number}: {fault}")),
+                }
             }
         }
+        match there == counts {
+            true => Ok(all),
+            false => Err("its rows are not counted right".into()),
+        }
     }
-    match there == counts {
-        true => Ok(all),
-        false => Err("its rows are not counted right".into()),
+
+    /// Proves a row again; whether it was certified too.
+    fn row(
+        &self,
+        queries: &PartQueries,
+        table: &ParquetTable,
+        place: usize,
+    ) -> Result<bool, String> {
+        let Ok(arch) = queries.arch(place) else { return Ok(false) };
+        let batch = &self.sweep.batch;
+        let (found, quantities) = (batch.one(&arch), &batch.quantities);
+        let again = answered(quantities, &found);
+        for (name, column) in &again.columns {
+            let there = column_of(table, name);
+            if !there.is_some_and(|there| is_same((column, 0), (there, place))) {
+                return Err(format!("its {name} is not what is proved"));
+            }
+        }
+        let verdict = found.verdicts[0];
+        let is_known = matches!(verdict, RowVerdict::Stands | RowVerdict::Falls);
+        if !is_known || self.certified.fetch_add(1, Ordering::Relaxed) >= CERTIFIED {
+            return Ok(false);
+        }
+        let Some(accepted) = accepted(&arch)? else { return Ok(false) };
+        let is_so = match (&accepted.problem, verdict) {
+            (Problem::State { mode, .. }, RowVerdict::Stands) => Some(*mode) == found.mode(0),
+            (Problem::Verdict { .. }, RowVerdict::Falls) => true,
+            _ => false,
+        };
+        if !is_so {
+            return Err("its certificate is of another verdict or mode".into());
+        }
+        for (place, quantity) in quantities.iter().enumerate() {
+            let of = accepted.values.iter().find(|(of, _)| of == quantity);
+            if let (Some(double), Some((_, text))) = (found.double(place, 0), of)
+                && !agrees(text, double, found.side(place, 0))
+            {
+                return Err(format!("its {} is not that of its certificate", quantity.name()));
+            }
+        }
+        Ok(true)
     }
 }
 
 /// The cells of a column, if there is one of that name.
-fn column<'t>(table: &'t ParquetTable, name: &str) -> Option<&'t ParquetColumn<'t>> {
+fn column_of<'t>(table: &'t ParquetTable, name: &str) -> Option<&'t ParquetColumn<'t>> {
     table.columns.iter().find(|(of, _)| of == name).map(|(_, cells)| cells)
-}
-
-/// Proves a row again; whether it was certified too.
-fn row(
-    sweep: &Sweep,
-    table: &ParquetTable,
-    place: usize,
-    asked: Result<Cow<'_, Arch>, String>,
-    certified: &AtomicUsize,
-) -> Result<bool, String> {
-    let Ok(arch) = asked else { return Ok(false) };
-    let (found, quantities) = (sweep.batch.one(&arch), &sweep.batch.quantities);
-    let again = answered(quantities, &found);
-    for (name, column) in &again.columns {
-        let there = self::column(table, name);
-        if !there.is_some_and(|there| is_same((column, 0), (there, place))) {
-            return Err(format!("its {name} is not what is proved"));
-        }
-    }
-    let verdict = found.verdicts[0];
-    let is_known = matches!(verdict, RowVerdict::Stands | RowVerdict::Falls);
-    if !is_known || certified.fetch_add(1, Ordering::Relaxed) >= CERTIFIED {
-        return Ok(false);
-    }
-    let Some(accepted) = accepted(&arch)? else { return Ok(false) };
-    let is_so = match (&accepted.problem, verdict) {
-        (Problem::State { mode, .. }, RowVerdict::Stands) => Some(*mode) == found.mode(0),
-        (Problem::Verdict { .. }, RowVerdict::Falls) => true,
-        _ => false,
-    };
-    if !is_so {
-        return Err("its certificate is of another verdict or mode".into());
-    }
-    if verdict == RowVerdict::Falls {
-        return Ok(true);
-    }
-    for (place, quantity) in quantities.iter().enumerate() {
-        let of = accepted.values.iter().find(|(of, _)| of == quantity);
-        if let (Some(double), Some((_, text))) = (found.double(place, 0), of)
-            && !agrees(text, double, found.side(place, 0))
-        {
-            return Err(format!("its {} is not that of its certificate", quantity.name()));
-        }
-    }
-    Ok(true)
 }
 
 impl Verified {
@@ -203,24 +208,20 @@ fn accepted(arch: &Arch) -> Result<Option<Accepted>, String> {
 /// Tells whether a double, with the side on which the truth is, is compatible with a value that is correctly
 /// rounded to [`DIGITS`] digits.
 fn agrees(text: &str, double: f64, side: Option<i32>) -> bool {
-    let value = text.parse::<crate::number::ExactNumber>().map(|value| value.to_rational());
-    let (Ok(value), Some(nearest)) = (value, Rational::from_f64(double)) else { return false };
-    let gap = |x: f64| Rational::from_f64(x).map(|x| Rational::from(&x - &nearest).abs());
-    let (Some(above), Some(below)) = (gap(double.next_up()), gap(double.next_down())) else {
-        return false;
-    };
-    // More than half a unit of the last digit, and at most half the distance of neighbours.
+    let value = text.parse::<ExactNumber>().map(|value| value.to_rational());
+    let (Ok(value), Some(exact)) = (value, Rational::from_f64(double)) else { return false };
+    // More than half a unit of the last digit.
     let rounding = value.clone().abs() / Integer::from(Integer::u_pow_u(10, DIGITS as u32 - 1));
-    let half = above.max(below) / 2;
-    let difference = value - nearest;
-    let is_near = difference.clone().abs() <= half + &rounding;
-    let is_aside = match side {
-        Some(1) => difference > -rounding,
-        Some(-1) => difference < rounding,
-        Some(_) => difference.abs() <= rounding,
-        None => true,
-    };
-    is_near && is_aside
+    let [low, high] = [Rational::from(&value - &rounding), value + rounding];
+    let nearest = |end: &Rational| ExactNumber::from(end).nearest_double();
+    let is_near = nearest(&low) <= Some(double) && Some(double) <= nearest(&high);
+    is_near
+        && match side {
+            Some(1) => high > exact,
+            Some(-1) => low < exact,
+            Some(_) => low <= exact && exact <= high,
+            None => true,
+        }
 }
 
 /// Rows of some ranges, drawn from the name of a sweep.
