@@ -21,15 +21,6 @@ pub(super) struct ArchAxis {
     pub whole: Option<String>,
 }
 
-/// Texts that a value may have.
-#[derive(Clone, Copy)]
-struct Allowed {
-    /// Ranges, and boxes of them.
-    ranges: bool,
-    /// True of arches in metres, of which a thickness by itself says nothing.
-    measured: bool,
-}
-
 impl ArchAxis {
     /// Numbers that the texts say, each by itself, `None` where one is wrong; a grid has too many to tell all that are.
     pub(super) fn parts(self, table: &mut TableReader) -> impl Iterator<Item = Option<ArchGiven>> {
@@ -72,100 +63,109 @@ pub(super) fn axes(
         let fits = question.fits(&asked, Spelling::Key);
         table.fitting(fits.and_then(|()| question.is_whole(&asked, Spelling::Key)));
     }
-    let allowed = Allowed { ranges, measured: is_measured(table) };
-    let axes = given.into_iter().map(|(field, value)| axis(table.reader, field, value, allowed));
-    let axes: Vec<ArchAxis> = axes.flatten().collect();
+    let measured = is_measured(table);
+    let axes = given.into_iter().filter_map(|(field, value)| {
+        AxisReader { reader: table.reader, field, ranges, measured }.axis(value)
+    });
+    let axes: Vec<ArchAxis> = axes.collect();
     table.is_well_since(before).then_some(axes)
 }
 
-/// A key: numbers at equal distances, ranges that touch, or a list of texts, each once. `None` if any is wrong.
-fn axis(
-    reader: &mut TomlReader,
+/// Reader of the values of a key.
+struct AxisReader<'r, 's> {
+    reader: &'r mut TomlReader<'s>,
     field: Field,
-    value: &TomlValue,
-    allowed: Allowed,
-) -> Option<ArchAxis> {
-    if let DeValue::Table(parts) = value.get_ref() {
-        return range(reader, field, value, parts, allowed);
-    }
-    let texts =
-        reader.each_once((field.name(), value), example(field), |reader, (_, element)| {
-            text(reader, field, element, allowed)
-        })?;
-    Some(ArchAxis { field, count: texts.len(), texts: Box::new(texts.into_iter()), whole: None })
+    /// True if the values may be ranges, and boxes of them.
+    ranges: bool,
+    /// True of arches in metres, of which a thickness by itself says nothing.
+    measured: bool,
 }
 
-/// `{ from, to, steps }`: so many numbers at equal distances, both ends included. `{ from, to, boxes }`: so many ranges
-/// that touch each other from end to end.
-fn range(
-    reader: &mut TomlReader,
-    field: Field,
-    value: &TomlValue,
-    parts: &DeTable,
-    allowed: Allowed,
-) -> Option<ArchAxis> {
-    let (before, name) = (reader.faults.len(), field.name());
-    let is_cut = parts.contains_key("boxes");
-    let (key, least) = if is_cut { ("boxes", 1) } else { ("steps", 2) };
-    if is_cut && !allowed.ranges {
-        let message = format!(
-            "{name} is cut into boxes, which [[arches]] of a scene takes alone; give steps here"
-        );
-        return reader.refuse(value.span(), message);
-    }
-    let keys = ["from", "to", key];
-    reader.unknown_keys(parts, "a range", &keys);
-    for missing in keys.iter().filter(|key| !parts.contains_key(**key)) {
-        let message =
-            format!("{name} has no {missing}; a range is {{ from = …, to = …, {key} = … }}");
-        reader.fault(value.span(), message);
-    }
-    let one = Allowed { ranges: false, ..allowed };
-    let mut end = |key: &str| Some(text(reader, field, parts.get(key)?, one)?.1);
-    let (lower, upper) = (end("from"), end("to"));
-    let count = parts.get(key).and_then(|of| reader.whole((key, of), least..=MAX_ARCHES));
-    let (of, count) = (Range { lower: lower?, upper: upper? }, count?);
-    if reader.faults.len() > before {
-        return None;
-    }
-    let text = |of: &Range| format!("{}{BETWEEN}{}", of.lower, of.upper);
-    let whole = is_cut.then(|| text(&of));
-    let texts: Result<Box<dyn Iterator<Item = String>>, _> = match is_cut {
-        true => boxes(&of, count).map(|all| Box::new(all.map(move |part| text(&part))) as _),
-        false => steps(&of, count).map(|all| Box::new(all) as _),
-    };
-    match texts {
-        Ok(texts) => Some(ArchAxis { field, count, texts, whole }),
-        Err(error) => reader.refuse(value.span(), format!("{name}: {error}")),
-    }
-}
-
-/// One text, with a key that is the same for the same number, however it is written: `0.1` is one tenth with and
-/// without quotes.
-fn text(
-    reader: &mut TomlReader,
-    field: Field,
-    value: &TomlValue,
-    allowed: Allowed,
-) -> Option<(String, String)> {
-    let Some(text) = TomlReader::literal(value) else {
-        return reader.reject((field.name(), value), example(field));
-    };
-    let text = text.strip_prefix('+').unwrap_or(text).to_owned();
-    let read = || -> Result<String, Misfit> {
-        if field == Field::Thickness && allowed.measured {
-            return Ok(text.clone());
+impl AxisReader<'_, '_> {
+    /// A key: numbers at equal distances, ranges that touch, or a list of texts, each once. `None` if any is wrong.
+    fn axis(&mut self, value: &TomlValue) -> Option<ArchAxis> {
+        if let DeValue::Table(parts) = value.get_ref() {
+            return self.range(value, parts);
         }
-        let asked = ArchAsked::of([(field, text.as_str())]);
-        if allowed.ranges && is_range(&text) {
+        let Self { field, ranges, measured, .. } = *self;
+        let texts = self.reader.each_once(
+            (field.name(), value),
+            example(field),
+            |reader, (_, element)| AxisReader { reader, field, ranges, measured }.text(element),
+        )?;
+        Some(ArchAxis {
+            field,
+            count: texts.len(),
+            texts: Box::new(texts.into_iter()),
+            whole: None,
+        })
+    }
+
+    /// `{ from, to, steps }`: so many numbers at equal distances, both ends included. `{ from, to, boxes }`: so many
+    /// ranges that touch each other from end to end.
+    fn range(&mut self, value: &TomlValue, parts: &DeTable) -> Option<ArchAxis> {
+        let (before, field, name) = (self.reader.faults.len(), self.field, self.field.name());
+        let is_cut = parts.contains_key("boxes");
+        let (key, least) = if is_cut { ("boxes", 1) } else { ("steps", 2) };
+        if is_cut && !self.ranges {
+            let message = format!(
+                "{name} is cut into boxes, which [[arches]] of a scene takes alone; give steps here"
+            );
+            return self.reader.refuse(value.span(), message);
+        }
+        let keys = ["from", "to", key];
+        self.reader.unknown_keys(parts, "a range", &keys);
+        for missing in keys.iter().filter(|key| !parts.contains_key(**key)) {
+            let message =
+                format!("{name} has no {missing}; a range is {{ from = …, to = …, {key} = … }}");
+            self.reader.fault(value.span(), message);
+        }
+        // An end is one number.
+        self.ranges = false;
+        let [lower, upper] =
+            ["from", "to"].map(|end| parts.get(end).and_then(|end| Some(self.text(end)?.1)));
+        let count = parts.get(key).and_then(|of| self.reader.whole((key, of), least..=MAX_ARCHES));
+        let (of, count) = (Range { lower: lower?, upper: upper? }, count?);
+        if self.reader.faults.len() > before {
+            return None;
+        }
+        let text = |of: &Range| format!("{}{BETWEEN}{}", of.lower, of.upper);
+        let whole = is_cut.then(|| text(&of));
+        let texts: Result<Box<dyn Iterator<Item = String>>, _> = match is_cut {
+            true => boxes(&of, count).map(|all| Box::new(all.map(move |part| text(&part))) as _),
+            false => steps(&of, count).map(|all| Box::new(all) as _),
+        };
+        match texts {
+            Ok(texts) => Some(ArchAxis { field, count, texts, whole }),
+            Err(error) => self.reader.refuse(value.span(), format!("{name}: {error}")),
+        }
+    }
+
+    /// One text, with a key that is the same for the same number, however it is written: `0.1` is one tenth with and
+    /// without quotes.
+    fn text(&mut self, value: &TomlValue) -> Option<(String, String)> {
+        let Some(text) = TomlReader::literal(value) else {
+            return self.reader.reject((self.field.name(), value), example(self.field));
+        };
+        let text = text.strip_prefix('+').unwrap_or(text).to_owned();
+        match self.key(&text) {
+            Ok(key) => Some((key, text)),
+            Err(misfit) => self.reader.refuse(value.span(), misfit.message),
+        }
+    }
+
+    /// Key of a text, if it makes sense by itself.
+    fn key(&self, text: &str) -> Result<String, Misfit> {
+        let asked = ArchAsked::of([(self.field, text)]);
+        let key = if self.measured && self.field == Field::Thickness {
+            None
+        } else if self.ranges && is_range(text) {
             asked.ends()?.iter().try_for_each(|end| ArchGiven::part(end).map(|_| ()))?;
-            return Ok(text.clone());
-        }
-        Ok(given_key(&ArchGiven::part(&asked)?).unwrap_or_else(|| text.clone()))
-    };
-    match read() {
-        Ok(key) => Some((key, text)),
-        Err(misfit) => reader.refuse(value.span(), misfit.message),
+            None
+        } else {
+            given_key(&ArchGiven::part(&asked)?)
+        };
+        Ok(key.unwrap_or_else(|| text.to_owned()))
     }
 }
 

@@ -22,15 +22,15 @@ pub(super) trait Computable {
         ARCH
     }
 
-    /// Number of times that it reports progress.
-    fn ticks(&self) -> u64 {
-        1
+    /// Number of times that it reports progress itself; without one the run reports it when it is done.
+    fn ticks(&self) -> Option<u64> {
+        None
     }
 
     /// Lines of a plan: the name, and what is computed.
     fn lines(&self) -> Vec<String>;
 
-    /// Computes it. What reports progress more than once does so itself.
+    /// Computes it.
     fn compute(&self, shared: &Shared, tick: &(dyn Fn() + Sync)) -> Done;
 }
 
@@ -47,9 +47,7 @@ impl Computable for Claim {
         vec![format!("{}, {}", self.id, self.place)]
     }
 
-    fn compute(&self, _: &Shared, tick: &(dyn Fn() + Sync)) -> Done {
-        let done = self.decide();
-        tick();
-        Box::new(done)
+    fn compute(&self, _: &Shared, _: &(dyn Fn() + Sync)) -> Done {
+        Box::new(self.decide())
     }
 }

@@ -8,7 +8,6 @@ use crate::ask::{ArchGiven, Misfit};
 use crate::atlas::{NoSketch, Sketch};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Landmark};
-use std::fmt;
 
 /// An arch that is drawn.
 #[derive(Clone, Debug)]
@@ -85,32 +84,22 @@ impl Computable for DrawnArch {
     }
 
     fn lines(&self) -> Vec<String> {
-        vec![self.to_string()]
-    }
-
-    fn compute(&self, _: &Shared, tick: &(dyn Fn() + Sync)) -> Done {
-        let sketch = self.sketch();
-        tick();
-        Box::new(sketch)
-    }
-}
-
-impl fmt::Display for DrawnArch {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(stones) = self.stones {
-            write!(f, "{stones} stones, ")?;
-        }
+        let stones = self.stones.map_or(String::new(), |stones| format!("{stones} stones, "));
         let of = |arch: &Arch| format!("half opening {}", arch.half_opening());
-        match &self.pose {
-            Pose::Landmark(landmark, _) => f.write_str(landmark.symbol())?,
+        let pose = match &self.pose {
+            Pose::Landmark(landmark, _) => landmark.symbol().to_owned(),
             Pose::Least(arch) => {
-                write!(f, "least thickness of {}, friction {},", of(arch), arch.friction())?;
+                format!("least thickness of {}, friction {},", of(arch), arch.friction())
             }
             Pose::Standing(arch, eta) => {
-                write!(f, "{}, friction {}, thickness {eta},", of(arch), arch.friction())?;
+                format!("{}, friction {}, thickness {eta},", of(arch), arch.friction())
             }
-            Pose::Sliding(arch, eta) => write!(f, "sliding of {}, thickness {eta},", of(arch))?,
-        }
-        write!(f, " {}", self.weight().name())
+            Pose::Sliding(arch, eta) => format!("sliding of {}, thickness {eta},", of(arch)),
+        };
+        vec![format!("{stones}{pose} {}", self.weight().name())]
+    }
+
+    fn compute(&self, _: &Shared, _: &(dyn Fn() + Sync)) -> Done {
+        Box::new(self.sketch())
     }
 }

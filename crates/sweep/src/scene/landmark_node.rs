@@ -62,11 +62,11 @@ impl Computable for LandmarkNode {
         self.asked.iter().map(|(_, digits)| *digits).max().unwrap_or(0)
     }
 
-    fn ticks(&self) -> u64 {
-        match self.asked.len() {
+    fn ticks(&self) -> Option<u64> {
+        Some(match self.asked.len() {
             0 => 0,
             asked => CertifiedLandmark::ticks_of(self.landmark, asked),
-        }
+        })
     }
 
     fn lines(&self) -> Vec<String> {
@@ -110,13 +110,10 @@ impl LandmarkPiece {
 
     /// Constants that an item asks for, in its order, whoever asked first.
     pub(super) fn constants(&self, quantities: &[Quantity], digits: usize) -> Vec<Constant> {
-        let place = |of| quantities.iter().position(|quantity| *quantity == of);
-        let mine = self
-            .constants
-            .iter()
-            .filter(|(of, one)| *of == digits && quantities.contains(&one.quantity));
-        let mut constants: Vec<Constant> = mine.map(|(_, one)| one.clone()).collect();
-        constants.sort_by_key(|one| place(one.quantity));
-        constants
+        let of = |quantity: &Quantity| {
+            let is_it = |one: &&(usize, Constant)| (one.0, one.1.quantity) == (digits, *quantity);
+            self.constants.iter().find(is_it).map(|(_, one)| one.clone())
+        };
+        quantities.iter().filter_map(of).collect()
     }
 }

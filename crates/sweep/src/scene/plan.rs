@@ -61,7 +61,7 @@ impl<'s> Plan<'s> {
 
     /// Number of times that the run reports progress.
     pub fn ticks(&self) -> u64 {
-        self.parts.iter().map(|part| part.work.of().ticks()).sum()
+        self.parts.iter().map(|part| part.work.of().ticks().unwrap_or(1)).sum()
     }
 
     /// Adds what an item takes, which is the last.

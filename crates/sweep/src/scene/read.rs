@@ -103,8 +103,7 @@ fn item(
         ItemKind::Figure => read_figure(&mut table),
         ItemKind::Drawing => drawing(&mut table, format),
     };
-    let is_drawn = matches!(kind, ItemKind::Map | ItemKind::Figure | ItemKind::Drawing);
-    let print = if is_drawn { print(&mut table, format) } else { Some(Print::default()) };
+    let print = if kind.is_drawn() { print(&mut table, format) } else { Some(Print::default()) };
     let ((output, format), print) = (destination?, print?);
     let place = table.reader.source.place(table.span.start);
     Some(SceneItem { place, kind, what: what?, format, print, output })

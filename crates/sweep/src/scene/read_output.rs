@@ -22,11 +22,27 @@ pub(super) fn output(
     let reader = &mut *table.reader;
     let before = reader.faults.len();
     let path = output.and_then(|value| file(reader, value, files));
-    let format = match (named, output, &path) {
-        (Some(value), _, _) => format(reader, kind, value),
-        (None, None, _) => Format::all(kind.content()).next(),
-        (None, Some(value), Some(path)) => format_of(reader, kind, value, path),
-        (None, Some(_), None) => None,
+    let (content, names) = (kind.content(), Format::names(kind.content()));
+    let format = match (named, output) {
+        (None, None) => Format::all(content).next(),
+        (Some(value), _) => {
+            let name = value.get_ref().as_str().unwrap_or_default();
+            let none = || reader.reject(("format", value), &format!("one of {names}"));
+            Format::named(content, name).or_else(none)
+        }
+        // What the file's name ends with tells it.
+        (None, Some(value)) => {
+            let end = path.as_ref()?.extension().and_then(|end| end.to_str()).unwrap_or_default();
+            Format::named(content, end).or_else(|| {
+                let ends = list(distinct(Format::all(content).map(|format| format.extension)));
+                let shown = reader.source.shown(value.span());
+                let message = format!(
+                    "output {shown} does not tell a format by its end ({ends}); give it such an end, or a format, one \
+                     of {names}"
+                );
+                reader.refuse(value.span(), message)
+            })
+        }
     }?;
     if let (Some(message), Some(value)) = (format.missing(), named.or(output)) {
         reader.fault(value.span(), message);
@@ -35,35 +51,6 @@ pub(super) fn output(
         reader.reject::<()>(("format", value), "text; give it an output");
     }
     (reader.faults.len() == before).then_some((path, format))
-}
-
-/// The format of a name.
-fn format(reader: &mut TomlReader, kind: ItemKind, value: &TomlValue) -> Option<&'static Format> {
-    let name = value.get_ref().as_str().unwrap_or_default();
-    Format::named(kind.content(), name).or_else(|| {
-        let names = Format::names(kind.content());
-        reader.reject(("format", value), &format!("one of {names}"))
-    })
-}
-
-/// The format that the end of a file's name tells.
-fn format_of(
-    reader: &mut TomlReader,
-    kind: ItemKind,
-    value: &TomlValue,
-    path: &Path,
-) -> Option<&'static Format> {
-    let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
-    Format::named(kind.content(), end).or_else(|| {
-        let ends = list(distinct(Format::all(kind.content()).map(|format| format.extension)));
-        let message = format!(
-            "output {} does not tell a format by its end ({ends}); give it such an end, or a format, \
-             one of {}",
-            reader.source.shown(value.span()),
-            Format::names(kind.content())
-        );
-        reader.refuse(value.span(), message)
-    })
 }
 
 fn file(reader: &mut TomlReader, value: &TomlValue, files: &mut OutputFiles) -> Option<PathBuf> {

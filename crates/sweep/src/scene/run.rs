@@ -60,7 +60,14 @@ impl<'p> SceneRun<'p> {
         missing.retain(|place| self.done[*place].is_none());
         missing.sort_unstable();
         missing.dedup();
-        let work = |place: &usize| parts[*place].work.of().compute(&self.shared, tick);
+        let work = |place: &usize| {
+            let node = parts[*place].work.of();
+            let done = node.compute(&self.shared, tick);
+            if node.ticks().is_none() {
+                tick();
+            }
+            done
+        };
         let results = measured(&missing, work);
         for (place, (result, cost)) in missing.into_iter().zip(results) {
             (self.done[place], self.costs.0[place]) = (Some(result), Some(cost));

@@ -6,7 +6,7 @@ use super::scene_map::SceneMap;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, Field};
 use crate::claims::Claim;
-use crate::number::ExactNumber;
+use crate::number::{ExactNumber, worded};
 use crate::picture::Print;
 use crate::problem::Arch;
 use crate::problem::measures::Measures;
@@ -176,87 +176,72 @@ pub struct SceneBoxes {
     pub rows: SurveyedRows,
 }
 
-/// A kind of item, by the table that asks for it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ItemKind {
-    /// `[[constants]]`.
-    Constants,
-    /// `[[arches]]`.
-    Arches,
-    /// `[[claims]]`.
-    Claims,
-    /// `[[audit]]`.
-    Audit,
-    /// `[[map]]`.
-    Map,
-    /// `[[figure]]`.
-    Figure,
-    /// `[[drawing]]`.
-    Drawing,
+worded! {
+    /// A kind of item, by the table that asks for it.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum ItemKind {
+        /// `[[constants]]`.
+        Constants = "constants",
+        /// `[[arches]]`.
+        Arches = "arches",
+        /// `[[claims]]`.
+        Claims = "claims",
+        /// `[[audit]]`.
+        Audit = "audit",
+        /// `[[map]]`.
+        Map = "map",
+        /// `[[figure]]`.
+        Figure = "figure",
+        /// `[[drawing]]`.
+        Drawing = "drawing",
+    }
+    /// All kinds.
+    pub const ALL;
+    /// The name of the table.
+    pub fn name -> &'static str;
 }
 
 impl ItemKind {
-    /// All kinds.
-    pub const ALL: [Self; 7] = [
-        Self::Constants,
-        Self::Arches,
-        Self::Claims,
-        Self::Audit,
-        Self::Map,
-        Self::Figure,
-        Self::Drawing,
-    ];
-
-    /// The name of the table, what is written of it, and the keys that it may have.
-    fn described(self) -> (&'static str, Content, &'static str) {
-        match self {
-            Self::Constants => (
-                "constants",
-                Answers::content(),
-                "landmarks quantities weight digits format output",
-            ),
-            Self::Arches => (
-                "arches",
-                Answers::content(),
-                "half_opening friction friction_angle thickness span rise radius measured_at density depth quantities \
-                 weight digits format output",
-            ),
-            Self::Claims => ("claims", Claims::content(), "prove show format output"),
-            Self::Audit => ("audit", Audit::content(), "landmarks weight format output"),
-            Self::Map => (
-                "map",
-                Map::content(),
-                "curves half_opening thickness friction weight tolerance plane lines bare asymmetric half_opening_unit \
-                 friction_unit scale half_opening_range friction_range thickness_range marks \
-                 width font_size font caption full_caption title format output",
-            ),
-            Self::Figure => (
-                "figure",
-                Content::FIGURE,
-                "number weight tolerance width font_size font caption full_caption title format output",
-            ),
-            Self::Drawing => (
-                "drawing",
-                Sketched::content(),
-                "half_opening friction friction_angle thickness span rise radius measured_at density depth at weight mode amplitude stones dilatant half \
-                 arrows animate width font_size font caption full_caption title format output",
-            ),
-        }
-    }
-
-    /// The name of the table.
-    pub fn name(self) -> &'static str {
-        self.described().0
-    }
-
     /// Content that is written of it.
     pub fn content(self) -> Content {
-        self.described().1
+        match self {
+            Self::Constants | Self::Arches => Answers::content(),
+            Self::Claims => Claims::content(),
+            Self::Audit => Audit::content(),
+            Self::Map => Map::content(),
+            Self::Figure => Content::FIGURE,
+            Self::Drawing => Sketched::content(),
+        }
     }
 
     /// The keys that an item of this kind may have.
     pub fn keys(self) -> Vec<&'static str> {
-        self.described().2.split_whitespace().collect()
+        let own = match self {
+            Self::Constants => "landmarks quantities weight digits",
+            Self::Arches => {
+                "half_opening friction friction_angle thickness span rise radius measured_at density depth quantities \
+                 weight digits"
+            }
+            Self::Claims => "prove show",
+            Self::Audit => "landmarks weight",
+            Self::Map => {
+                "curves half_opening thickness friction weight tolerance plane lines bare asymmetric half_opening_unit \
+                 friction_unit scale half_opening_range friction_range thickness_range marks"
+            }
+            Self::Figure => "number weight tolerance",
+            Self::Drawing => {
+                "half_opening friction friction_angle thickness span rise radius measured_at density depth at weight \
+                 mode amplitude stones dilatant half arrows animate"
+            }
+        };
+        let print =
+            if self.is_drawn() { "width font_size font caption full_caption title" } else { "" };
+        [own, print, "format output"].iter().flat_map(|keys| keys.split_whitespace()).collect()
+    }
+
+    /// Tells whether it may be a picture.
+    pub(super) fn is_drawn(self) -> bool {
+        matches!(self, Self::Map | Self::Figure | Self::Drawing)
     }
 }
 

@@ -51,9 +51,8 @@ impl Computable for SurveyNode<'_> {
         ]
     }
 
-    fn compute(&self, _: &Shared, tick: &(dyn Fn() + Sync)) -> Done {
+    fn compute(&self, _: &Shared, _: &(dyn Fn() + Sync)) -> Done {
         let found = self.found();
-        tick();
         match self.rows {
             None => Box::new(found.map(Arc::new)),
             Some(rows) => Box::new(found.map(|found| Arc::new(rows.cell(&found)))),

@@ -112,14 +112,10 @@ impl<'a, 's> TableReader<'a, 's> {
                 key => key.replace('_', "-"),
             };
             command.extend(texts.iter().map(|text| format!(" --{option} {}", quoted(text))));
-            match value.and_then(|value| value.get_ref().as_bool()) {
-                Some(false) if ["caption", "title"].contains(&key) => {
-                    command += &format!(" --no-{option}");
-                }
-                Some(true) if !["caption", "title"].contains(&key) => {
-                    command += &format!(" --{option}");
-                }
-                _ => {}
+            let usual = ["caption", "title"].contains(&key);
+            let said = value.and_then(|value| value.get_ref().as_bool());
+            if let Some(said) = said.filter(|said| *said != usual) {
+                command += &format!(" --{}{option}", if said { "" } else { "no-" });
             }
         }
         command
