@@ -27,15 +27,9 @@ says!(Failure {
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         match error {
-            Error::Refused(refused) => Self::Input(refused.to_string()),
-            Error::Undecided(undecided) => Self::Undecided(undecided.to_string()),
+            Error::Refused(refused) => refused.into(),
+            Error::Undecided(undecided) => undecided.into(),
         }
-    }
-}
-
-impl From<Undecided> for Failure {
-    fn from(undecided: Undecided) -> Self {
-        Self::Undecided(undecided.to_string())
     }
 }
 
@@ -58,18 +52,21 @@ impl From<NoSketch> for Failure {
     }
 }
 
-/// Errors of which the input is the cause.
-macro_rules! input {
-    ($($error:ty),*) => {$(
+/// Errors that are failures of one kind.
+macro_rules! failures {
+    ($($kind:ident: $($error:ty),+;)+) => {$($(
         impl From<$error> for Failure {
             fn from(error: $error) -> Self {
-                Self::Input(error.to_string())
+                Self::$kind(error.to_string())
             }
         }
-    )*};
+    )+)+};
 }
 
-input!(&str, String, Misfit, Refused, ParseExactError, ArchError, StonesError);
+failures! {
+    Input: &str, String, Misfit, Refused, ParseExactError, ArchError, StonesError;
+    Undecided: Undecided;
+}
 
 impl Failure {
     /// A failure to read: the source, and the reason.

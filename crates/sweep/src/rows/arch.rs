@@ -73,13 +73,10 @@ impl ArchReader {
         let range = self.columns.all.iter().zip(cells).find_map(|(column, cell)| {
             Some((column.role.field()?, cell.as_deref().filter(|text| is_range(text))?))
         });
-        match range {
-            Some((field, text)) => {
-                let why = self.columns.why_no_range();
-                Err(format!("{} {} is a range{why}", field.name(), shown(text)))
-            }
-            None => Ok(()),
-        }
+        range.map_or(Ok(()), |(field, text)| {
+            let why = self.columns.why_no_range();
+            Err(format!("{} {} is a range{why}", field.name(), shown(text)))
+        })
     }
 
     fn own_weight(&self, cells: &Cells) -> Result<SelfWeight, String> {

@@ -145,11 +145,9 @@ impl Columns {
         let there = || self.all.iter().zip(&found).filter(|(_, places)| !places.is_empty());
         let is_none = |at: &usize| !self.all.iter().any(|column| is(column, *at));
         for name in (0..names.len()).filter(is_none).map(|at| names[at]) {
-            match self.is_answered(name) {
-                Err(why) if !is_empty(name) => return Err(why),
-                _ => {}
-            }
-            self.is_spelt(name, |role| there().any(|(column, _)| column.role == role))?;
+            let has = |role| there().any(|(column, _)| column.role == role);
+            let why = self.unread(name).filter(|_| !is_empty(name));
+            why.or_else(|| self.misspelt(name, has)).map_or(Ok(()), Err)?;
         }
         Ok(found)
     }
@@ -187,9 +185,9 @@ impl Columns {
         Ok(found.iter().map(|places| text(names[*places.first()?])).collect())
     }
 
-    /// Refuses a name of an arch that nothing here is asked about, unless it is handed on by name: it must not be
-    /// dropped.
-    fn is_answered(&self, name: &str) -> Result<(), String> {
+    /// Reason why a name of an arch that nothing here is asked about is refused, unless it is handed on by name: it
+    /// must not be dropped.
+    fn unread(&self, name: &str) -> Option<String> {
         let is_kept = || self.kept.iter().any(|kept| kept == name);
         // The circle of sizes that are told alone asks nothing.
         let is_read = |field: Field| {
@@ -197,28 +195,21 @@ impl Columns {
             field == Field::MeasuredAt || self.purpose.roles().iter().any(is)
         };
         let asks = self.purpose != Purpose::Assemblies;
-        match unanswered(name, is_read).filter(|_| asks && !is_kept()) {
-            Some(why) => Err(format!("{why}, and --keep {} hands it on", shortened(name))),
-            None => Ok(()),
-        }
+        let why = unanswered(name, is_read).filter(|_| asks && !is_kept())?;
+        Some(format!("{why}, and --keep {} hands it on", shortened(name)))
     }
 
-    /// Refuses a name that is nearly one of ours and asks for nothing: what it asks must not be dropped.
-    fn is_spelt(&self, name: &str, has: impl Fn(Role) -> bool) -> Result<(), String> {
+    /// Reason why a name that is nearly one of ours and asks for nothing is refused: what it asks must not be dropped.
+    fn misspelt(&self, name: &str, has: impl Fn(Role) -> bool) -> Option<String> {
         if self.purpose != Purpose::Ask {
-            return Ok(());
+            return None;
         }
         let nearly = |column: &&RowColumn| {
             let similar = strsim::normalized_damerau_levenshtein(&column.theirs, &plain(name));
             column.theirs.len() > 4 && similar > 0.8 && !has(column.role)
         };
-        match self.all.iter().find(nearly) {
-            Some(column) => {
-                let (name, ours) = (shortened(name), &column.theirs);
-                Err(format!("'{name}' is not one of our columns; did you mean '{ours}'?"))
-            }
-            None => Ok(()),
-        }
+        let (name, ours) = (shortened(name), &self.all.iter().find(nearly)?.theirs);
+        Some(format!("'{name}' is not one of our columns; did you mean '{ours}'?"))
     }
 
     /// Refuses what cannot be asked or judged, by the columns that are there.

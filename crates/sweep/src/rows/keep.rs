@@ -49,13 +49,12 @@ impl Keep {
         };
         let place = |name: &String| {
             let mut places = (0..header.len()).filter(|&place| header[place] == *name);
-            match (places.next(), places.next()) {
-                (Some(place), None) => Ok((name.clone(), place)),
-                (None, _) => Err(format!("the file has no column '{}' to keep", shortened(name))),
-                (Some(_), Some(_)) => {
-                    Err(format!("the file has two columns '{}' to keep", shortened(name)))
-                }
-            }
+            let count = match (places.next(), places.next()) {
+                (Some(place), None) => return Ok((name.clone(), place)),
+                (None, _) => "no column",
+                (Some(_), Some(_)) => "two columns",
+            };
+            Err(format!("the file has {count} '{}' to keep", shortened(name)))
         };
         names.into_iter().map(place).collect()
     }
