@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `record` | what a sweep is, in one form; its name |
 //! | `cost` | how many rows make a part |
-//! | `queries`, `query` | the rows of a part as they are asked |
+//! | `queries`, `listed` | the rows of a part as they are asked |
 //! | `text` | the pieces of the files of a data set |
 //! | `table` | rows of a part by columns |
 //! | `notes`, `read` | a part as a Parquet file: on itself, as it is looked through |
@@ -14,11 +14,11 @@
 //! | `verify` | looks through what was made |
 
 mod cost;
+mod listed;
 mod new_file;
 mod notes;
 mod part_name;
 mod queries;
-mod query;
 mod read;
 mod record;
 mod store;

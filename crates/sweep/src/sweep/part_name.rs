@@ -37,15 +37,12 @@ impl PartName {
         let is_hash = |text: &str, digits| {
             text.len() == digits && text.bytes().all(|c| c.is_ascii_hexdigit())
         };
-        let mut counts = [0; 4];
-        for (count, text) in counts.iter_mut().zip([stands, falls, undecided, refused]) {
-            *count = text.parse().ok()?;
-        }
+        let number = |text: &str| text.parse::<u64>().ok();
         let read = Self {
             part: part.parse().ok()?,
             sweep: sweep.to_owned(),
-            counts,
-            bytes: bytes.parse().ok()?,
+            counts: [number(stands)?, number(falls)?, number(undecided)?, number(refused)?],
+            bytes: number(bytes)?,
             hash: hash.to_owned(),
         };
         // In one form alone.

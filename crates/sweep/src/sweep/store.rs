@@ -28,10 +28,10 @@ const TOGETHER: usize = 1_000;
 #[derive(Clone, Debug)]
 pub(super) struct Store {
     pub folder: PathBuf,
-    /// Path of the folder, with the record.
+    /// The folder of the results, with the record.
     output: PathBuf,
     /// The hash of the record.
-    plan: String,
+    pub plan: String,
 }
 
 /// Files of parts in the folder of a sweep.
@@ -67,7 +67,9 @@ impl Store {
     /// The folder of a sweep in the folder of the results; it is not made.
     pub(super) fn new(output: &Path, record: &SweepRecord) -> Self {
         let plan = record.hash();
-        Self { folder: output.join(named(&plan)), output: output.to_owned(), plan }
+        // Nothing before a name is the current folder.
+        let results = if output.as_os_str().is_empty() { Path::new(".") } else { output };
+        Self { folder: output.join(named(&plan)), output: results.to_owned(), plan }
     }
 
     /// The folder of a sweep that was made, with its record, whose hash has to be its name.
@@ -118,11 +120,6 @@ impl Store {
         Ok((Self { folder: folder.to_owned(), output: output.to_owned(), plan }, record))
     }
 
-    /// The hash of the record.
-    pub(super) fn plan(&self) -> &str {
-        &self.plan
-    }
-
     /// The name of the record, beside the folder.
     fn record(&self) -> String {
         named(&self.plan) + RECORD
@@ -131,7 +128,7 @@ impl Store {
     /// Other sweeps beside this one.
     pub(super) fn others(&self) -> Vec<String> {
         let own = self.record();
-        let mut names: Vec<String> = fs::read_dir(self.results())
+        let mut names: Vec<String> = fs::read_dir(&self.output)
             .into_iter()
             .flatten()
             .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
@@ -145,7 +142,7 @@ impl Store {
     /// Makes the folder, with the record beside it, and clears what killed runs have left.
     pub(super) fn prepare(&self, record: &SweepRecord) -> io::Result<()> {
         fs::create_dir_all(&self.folder)?;
-        new_file::clear(self.results(), &named(&self.plan))?;
+        new_file::clear(&self.output, &named(&self.plan))?;
         let (path, text) = (self.output.join(self.record()), record.text());
         match path.is_file().then(|| record_bytes(&path)) {
             Some(Ok(there)) if there == text.as_bytes() => Ok(()),
@@ -258,7 +255,7 @@ impl Store {
 
     /// Begins a file of this sweep.
     pub(super) fn begin(&self) -> io::Result<NewFile> {
-        NewFile::begin(self.results(), &named(&self.plan))
+        NewFile::begin(&self.output, &named(&self.plan))
     }
 
     /// Makes a part of so many appear in the folder.
@@ -276,11 +273,6 @@ impl Store {
         // The name, too. Some file systems have no such thing for folders.
         let _ = File::open(&folder).and_then(|folder| folder.sync_all());
         Ok(())
-    }
-
-    /// The folder of the results; nothing before a name is the current folder.
-    fn results(&self) -> &Path {
-        if self.output.as_os_str().is_empty() { Path::new(".") } else { &self.output }
     }
 }
 

@@ -2,9 +2,9 @@
 //! shares the parts among processes or machines.
 
 use super::notes::Notes;
+use super::queries::{AxisNumber, PartQueries};
 use super::queries::{frictions, queries};
-use super::query::{AxisNumber, PartQueries};
-use super::record::{Arches, SweepRecord};
+use super::record::{Arches, DataFile, SweepRecord};
 use super::store::{PartState, Store};
 use super::table;
 use crate::certify::batch::{Batch, Threads};
@@ -84,10 +84,8 @@ impl Sweep {
     /// The files of a data set that cannot be read, and why.
     pub fn bad_files(&self) -> Vec<String> {
         let Arches::Data { files } = &self.record.arches else { return Vec::new() };
-        let bad = files
-            .iter()
-            .filter_map(|file| Some(format!("{}: {}", file.file, file.fault.as_ref()?)));
-        bad.collect()
+        let bad = |file: &DataFile| Some(format!("{}: {}", file.file, file.fault.as_ref()?));
+        files.iter().filter_map(bad).collect()
     }
 
     /// Makes the folder, with the record of the sweep.
@@ -145,7 +143,7 @@ impl Sweep {
             let bytes = writer.group(&table);
             bytes.and_then(|bytes| file.write_all(&bytes)).map_err(unwritten)?;
         }
-        let notes = Notes { plan: self.store.plan().to_owned(), rows, counts };
+        let notes = Notes { plan: self.store.plan.clone(), rows, counts };
         let bytes = writer.end(notes.entries());
         bytes.and_then(|bytes| file.write_all(&bytes)).map_err(unwritten)?;
         self.store.put((part, self.parts()), counts, file).map_err(unwritten)?;

@@ -1,6 +1,7 @@
 //! The rows of a part by columns: those that are asked, and those that are answered.
 
-use super::query::{Listed, PartArches, PartQueries};
+use super::listed::Listed;
+use super::queries::{PartArches, PartQueries};
 use crate::arch::SelfWeight;
 use crate::certify::batch::{BatchArches, BatchColumns, RowVerdict};
 use crate::problem::{Mode, Quantity};

@@ -1,7 +1,7 @@
 //! Pieces of a file of a data set, a table of text or JSON lines: a piece is read without the rest of the file, and its
 //! hash says whether it still is what it was.
 
-use super::query::Listed;
+use super::listed::Listed;
 use crate::arch::SelfWeight;
 use crate::ask::Field;
 use crate::check::reason;

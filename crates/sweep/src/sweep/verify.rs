@@ -1,6 +1,6 @@
 //! Looks through a sweep that was made: its parts, its rows, and what is proved of some of them.
 
-use super::query::PartQueries;
+use super::queries::PartQueries;
 use super::read::ReadPart;
 use super::store::PartState;
 use super::strategies::Draw;
@@ -50,7 +50,7 @@ pub fn verify(
 ) -> Result<Verified, Failure> {
     let files = sweep.store.files(sweep.parts())?;
     let ranges: Vec<Range<u64>> = parts.iter().map(|&part| sweep.rows(part)).collect();
-    let chosen = chosen(&ranges, sample, sweep.store.plan());
+    let chosen = chosen(&ranges, sample, &sweep.store.plan);
     let look = Look { sweep, chosen, certified: AtomicUsize::new(0) };
     let none = Vec::new();
     let each = |&part: &usize| {
