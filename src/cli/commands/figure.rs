@@ -60,8 +60,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Content::FIGURE, "svg")?;
     let Arguments { number, tolerance, .. } = *arguments;
     let weights = arguments.weight.map(<[_]>::to_vec);
-    let mut asked = figure(number, weights, tolerance, |key| format!("--{key}"))?;
-    asked.command().into_iter().for_each(|command| *command = typed());
+    let asked = figure(number, weights, tolerance, |key| format!("--{key}"), |_| typed())?;
     let (file, print) = (arguments.file.open_for(format)?, arguments.print.print());
     let answer = answered(ItemKind::Figure, asked, (format, &print));
     match answer.report {

@@ -1,9 +1,8 @@
 //! An arch: its state is proved once, and what is asked of each thickness.
 
-use super::computable::{ARCH, Computable, Done};
+use super::computable::{ARCH, Computable, Done, Shared};
 use super::expected;
 use super::same::arch_key;
-use super::shared::Shared;
 use crate::certify::state::{Answer, AssessmentDigits, Inquiry, Wanted};
 use crate::certify::{Error, Refused};
 use crate::number::ExactNumber;

@@ -1,8 +1,7 @@
 //! Lines of the map: a curve, a level, or those between asymmetric branches.
 
-use super::computable::{Computable, Done, LONG};
+use super::computable::{Computable, Done, LONG, Shared};
 use super::scene_map::MapLine;
-use super::shared::Shared;
 use crate::arch::SelfWeight;
 use crate::atlas::{Border, Level, NoLevel, Trace};
 use std::fmt;

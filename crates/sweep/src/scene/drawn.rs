@@ -1,8 +1,7 @@
 //! An arch that is drawn: at its least thickness, at a landmark, as it stands, or where it slides.
 
-use super::computable::{Computable, Done};
+use super::computable::{Computable, Done, Shared};
 use super::same::{arch_key, number_key};
-use super::shared::Shared;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchGiven, Misfit};
 use crate::atlas::{NoSketch, Sketch};

@@ -11,29 +11,20 @@ use crate::report::words::count;
 use cpu_time::ProcessTime;
 use std::io;
 
-/// A node of the tree: its lines, and what hangs on it.
-struct TreeNode {
-    lines: Vec<String>,
-    branches: Vec<TreeNode>,
-}
+/// A branch of the tree: its lines, and those of each branch of its own.
+type Branch = (Vec<String>, Vec<Vec<String>>);
 
-impl TreeNode {
-    fn new(lines: impl IntoIterator<Item = String>) -> Self {
-        Self { lines: lines.into_iter().collect(), branches: Vec::new() }
+/// Writes the lines of a branch, and answers what stands before those of its own branches.
+fn write_lines(
+    lines: &[String],
+    (indent, is_last): (&str, bool),
+    out: &mut dyn io::Write,
+) -> io::Result<String> {
+    let (fork, beside) = if is_last { ("└─ ", "   ") } else { ("├─ ", "│  ") };
+    for (k, line) in lines.iter().enumerate() {
+        writeln!(out, "{indent}{}{line}", if k == 0 { fork } else { beside })?;
     }
-
-    fn write(&self, indent: &str, last: bool, out: &mut dyn io::Write) -> io::Result<()> {
-        let (fork, beside) = if last { ("└─ ", "   ") } else { ("├─ ", "│  ") };
-        for (k, line) in self.lines.iter().enumerate() {
-            writeln!(out, "{indent}{}{line}", if k == 0 { fork } else { beside })?;
-        }
-        write_all(&self.branches, &format!("{indent}{beside}"), out)
-    }
-}
-
-fn write_all(branches: &[TreeNode], indent: &str, out: &mut dyn io::Write) -> io::Result<()> {
-    let last = branches.len().saturating_sub(1);
-    branches.iter().enumerate().try_for_each(|(k, branch)| branch.write(indent, k == last, out))
+    Ok(format!("{indent}{beside}"))
 }
 
 /// More arches of one item than this are shown as a sum.
@@ -51,15 +42,19 @@ pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> i
         true => writeln!(out, "{items}; nothing to compute")?,
         false => writeln!(out, "{items}; to compute: {}, each once", pieces.join(", "))?,
     }
-    let mut branches: Vec<TreeNode> =
+    let mut branches: Vec<Branch> =
         (0..plan.scene.items.len()).map(|index| item(plan, costs, index)).collect();
     let left_out = left_out(plan, costs);
     if !left_out.is_empty() {
-        let mut branch = TreeNode::new(["left out".to_owned()]);
-        branch.branches = left_out.into_iter().map(|line| TreeNode::new([line])).collect();
-        branches.push(branch);
+        let left_out = left_out.into_iter().map(|line| vec![line]).collect();
+        branches.push((vec!["left out".to_owned()], left_out));
     }
-    write_all(&branches, "", out)?;
+    for (k, (lines, parts)) in branches.iter().enumerate() {
+        let indent = write_lines(lines, ("", k + 1 == branches.len()), out)?;
+        for (k, part) in parts.iter().enumerate() {
+            write_lines(part, (&indent, k + 1 == parts.len()), out)?;
+        }
+    }
     if let Some(costs) = costs {
         // Threads that proofs share are seen here alone.
         let all = ProcessTime::try_now().map(|time| time.as_duration());
@@ -70,12 +65,12 @@ pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> i
     Ok(())
 }
 
-fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> TreeNode {
-    let mut branch = TreeNode::new([heading(&plan.scene.items[index])]);
+fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> Branch {
+    let heading = heading(&plan.scene.items[index]);
     if plan.complete[index] {
-        branch.lines.push("complete: nothing is computed".to_owned());
-        return branch;
+        return (vec![heading, "complete: nothing is computed".to_owned()], Vec::new());
     }
+    let mut branches = Vec::new();
     let mut places = plan.needs[index].clone();
     let cost = |place: usize| costs.and_then(|costs| costs.0[place]);
     let mut shown = usize::MAX;
@@ -90,10 +85,10 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> TreeNode {
     for place in places {
         let PlannedPart { work, first, .. } = &plan.parts[place];
         match work {
-            _ if *first == index && branch.branches.len() == shown => more.push(cost(place)),
+            _ if *first == index && branches.len() == shown => more.push(cost(place)),
             _ if *first == index => {
                 let spent = cost(place).map(|cost| spent_on(work, &cost));
-                branch.branches.push(TreeNode::new(work.of().lines().into_iter().chain(spent)));
+                branches.push(work.of().lines().into_iter().chain(spent).collect());
             }
             Work::Arch(_) | Work::Curve(_) | Work::Survey(_) => {
                 match others.iter_mut().find(|(item, ..)| item == first) {
@@ -103,27 +98,25 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> TreeNode {
             }
             _ => {
                 let line = format!("{}: {}", work.of().lines()[0], computed_for(plan, *first));
-                branch.branches.push(TreeNode::new([line]));
+                branches.push(vec![line]);
             }
         }
     }
     if !more.is_empty() {
-        let words = format!("{} more", more.len());
+        let mut lines = vec![format!("{} more", more.len())];
         let costs: Option<Vec<Cost>> = more.into_iter().collect();
-        let sum = costs.map(|costs| spent(&costs.iter().sum()));
-        branch.branches.push(TreeNode::new(std::iter::once(words).chain(sum)));
+        lines.extend(costs.map(|costs| spent(&costs.iter().sum())));
+        branches.push(lines);
     }
-    branch.branches.extend(others.into_iter().map(|(other, parts, (one, many))| {
-        TreeNode::new([format!("{}: {}", count(parts, one, many), computed_for(plan, other))])
+    branches.extend(others.into_iter().map(|(other, parts, (one, many))| {
+        vec![format!("{}: {}", count(parts, one, many), computed_for(plan, other))]
     }));
-    branch
+    (vec![heading], branches)
 }
 
 fn heading(item: &SceneItem) -> String {
-    let output = match &item.output {
-        Some(output) => output.display().to_string(),
-        None => "standard output".to_owned(),
-    };
+    let output = item.output.as_ref().map(|output| output.display().to_string());
+    let output = output.unwrap_or_else(|| "standard output".to_owned());
     let (kind, format) = (item.kind.name(), item.format.name);
     format!("{kind} in line {} -> {output} ({format})", item.place.line)
 }

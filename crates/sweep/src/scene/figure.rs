@@ -12,18 +12,19 @@ use crate::report::{Axes, Style, View, arches_of_figure};
 pub(super) const TOLERANCE: f64 = 1e-4;
 
 /// Request for a figure of the paper, of its usual weights and tolerance where none are named. `key` tells what who
-/// asks calls an option.
+/// asks calls an option, and `command` tells the command for these weights.
 pub fn figure(
     number: usize,
     weights: Option<Vec<SelfWeight>>,
     tolerance: Option<f64>,
     key: fn(&str) -> String,
+    command: impl FnOnce(&[SelfWeight]) -> String,
 ) -> Result<Request, String> {
     let view = View::of_figure(number);
     let is_of_one = view.is_none_or(View::is_of_one_weight);
     let usual = if is_of_one { &[SelfWeight::Milankovitch] } else { &SelfWeight::ALL[..] };
     let weights = weights.map_or(usual.to_vec(), in_order);
-    let command = format!("couplet figure {number} --weight {}", weight_word(&weights));
+    let command = command(&weights);
     if is_of_one && weights.len() > 1 {
         return Err(format!("figure {number} shows one {}", key("weight")));
     }

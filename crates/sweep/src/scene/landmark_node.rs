@@ -1,7 +1,6 @@
 //! A landmark: isolated once, and refined to the most digits that any item asks for.
 
-use super::computable::{Computable, Done};
-use super::shared::Shared;
+use super::computable::{Computable, Done, Shared};
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Constant, Enclosed, Error, fingerprint, quantities};
 use crate::judge::enclosed;

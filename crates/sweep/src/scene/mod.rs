@@ -3,15 +3,15 @@
 //! | file | what it does |
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
-//! | `read` | TOML to a valid scene, or all its faults; with `table`, `axes`, `read_arches`, `read_drawing`, `read_map`, `figure`, `read_output`, `read_print`, `value`, `fault` |
+//! | `read` | TOML to a valid scene, or all its faults; with `table`, `axes`, `read_arches`, `read_drawing`, `read_map`, `figure`, `read_output`, `value`, `fault` |
 //! | `scene_map` | which lines a map shows |
 //! | `plan`, `same`, `left_out` | what has to be computed, each part once, and what has not |
-//! | `work`, `computable` | what a part is; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
-//! | `run` | computes the parts, item by item; `shared` has what they share, `cost` counts |
+//! | `work`, `computable` | what a part is, and what parts share; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
+//! | `run` | computes the parts, item by item; `cost` counts |
 //! | `item_report` | what an item asked for, as a report |
 //! | `explain` | the plan as a tree, with what `expected` says of the arches |
 //! | `manifest`, `hash` | which outputs are complete, told by their content |
-//! | `sweep`, `read_sweep` | the plan of a sweep, `couplet.sweep/1` |
+//! | `read_sweep` | the plan of a sweep, `couplet.sweep/1` |
 //!
 //! ```
 //! use couplet_sweep::scene::{Plan, SceneRun, read};
@@ -54,15 +54,12 @@ mod read_arches;
 mod read_drawing;
 mod read_map;
 mod read_output;
-mod read_print;
 mod read_sweep;
 mod run;
 mod same;
 mod scene_map;
 mod schema;
-mod shared;
 mod survey_node;
-mod sweep;
 mod table;
 mod value;
 mod work;
@@ -81,7 +78,11 @@ pub(crate) use manifest::{MAX_RECORD, content_of, record_bytes};
 pub use manifest::{Manifest, NAME as MANIFEST};
 pub use plan::Plan;
 pub use read::{read, read_bytes};
-pub use read_sweep::read_sweep;
+#[cfg(feature = "parquet")]
+pub(crate) use read_sweep::{MAX_CHUNK, MAX_SAMPLE};
+pub use read_sweep::{
+    SWEEP_DIGITS, SWEEP_EXAMPLE, SWEEP_SCHEMA, SweepArches, SweepPlan, read_sweep,
+};
 pub use run::{Costs, SceneRun, answered};
 pub use same::contour_key;
 pub use scene_map::{MapLine, SceneMap};
@@ -89,6 +90,3 @@ pub use schema::{
     EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, Request, SCHEMA, Scene, SceneArch,
     SceneBoxes, SceneDrawing, SceneItem, SceneSurvey,
 };
-#[cfg(feature = "parquet")]
-pub(crate) use sweep::{MAX_CHUNK, MAX_SAMPLE};
-pub use sweep::{SWEEP_DIGITS, SWEEP_EXAMPLE, SWEEP_SCHEMA, SweepArches, SweepPlan};

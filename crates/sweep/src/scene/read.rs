@@ -5,8 +5,7 @@ use super::figure::in_order;
 use super::read_arches::arches;
 use super::read_drawing::drawing;
 use super::read_map::{map, read_figure};
-use super::read_output::{OutputFiles, output};
-use super::read_print::print;
+use super::read_output::{OutputFiles, output, print};
 use super::schema::{
     DIGITS, ItemKind, MAX_ITEMS, RANGE_DIGITS, Request, SCENE_KEYS, SCHEMA, Scene, SceneItem,
 };

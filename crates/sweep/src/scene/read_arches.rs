@@ -3,7 +3,7 @@
 use super::axes::{ArchAxis, axes, example, is_measured, product};
 use super::schema::{MAX_RANGES, MeasuredArch, Request, SceneArch, SceneBoxes, SceneSurvey};
 use super::table::TableReader;
-use super::value::{TomlReader, TomlValue};
+use super::value::TomlValue;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, SurveyGiven};
 use crate::number::is_range;
@@ -141,25 +141,19 @@ fn is_written(table: &mut TableReader, format: Option<&'static Format>) {
     }
 }
 
-/// Quantities that are asked for.
+/// Quantities that are asked for. Where those of arches of given thickness are and there is none, that is what is
+/// missing.
 fn quantities(table: &mut TableReader, all: &[Quantity]) -> Option<Vec<Quantity>> {
-    let without = table.get("quantities").filter(|_| table.given_field(Field::Thickness).is_none());
-    match without.is_some_and(|value| needs_thickness(table.reader, value)) {
-        true => None,
-        false => table.quantities(all),
-    }
-}
-
-/// Tells whether quantities of arches of given thickness are asked for: then that is what is missing.
-fn needs_thickness(reader: &mut TomlReader, value: &TomlValue) -> bool {
-    let before = reader.faults.len();
-    for element in reader.elements(("quantities", value), "names of quantities") {
-        let name = element.get_ref().as_str().unwrap_or_default();
-        if Quantity::ASSESSMENT.iter().any(|quantity| quantity.name() == name) {
-            let allowed = example(Field::Thickness);
-            let message = format!("quantities \"{name}\" needs a thickness; give {allowed}");
-            reader.fault(element.span(), message);
+    let before = table.reader.faults.len();
+    if let (Some(value), None) = (table.get("quantities"), table.given_field(Field::Thickness)) {
+        for element in table.reader.elements(("quantities", value), "names of quantities") {
+            let name = element.get_ref().as_str().unwrap_or_default();
+            if Quantity::ASSESSMENT.iter().any(|quantity| quantity.name() == name) {
+                let allowed = example(Field::Thickness);
+                let message = format!("quantities \"{name}\" needs a thickness; give {allowed}");
+                table.reader.fault(element.span(), message);
+            }
         }
     }
-    reader.faults.len() > before
+    if table.is_well_since(before) { table.quantities(all) } else { None }
 }

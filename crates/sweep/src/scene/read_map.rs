@@ -10,7 +10,6 @@ use crate::arch::SelfWeight;
 use crate::ask::Misfit;
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit};
-use std::mem;
 
 /// The map, or curves of it.
 pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> Option<Request> {
@@ -61,14 +60,13 @@ pub(super) fn read_figure(table: &mut TableReader) -> Option<Request> {
     let tolerance = table.if_given("tolerance", tolerance);
     let (number, weights, tolerance) = (number?, weights?, tolerance?);
     let weights = weights.or_else(|| table.reader.weights.clone());
-    match figure(number, weights, tolerance, str::to_owned) {
-        Ok(mut what) => {
-            let said = [("number", Vec::new()), ("weight", Vec::new())];
-            if let Some(command) = what.command() {
-                *command = table.command(mem::take(command), ItemKind::Figure, &said);
-            }
-            Some(what)
-        }
+    let command = |weights: &[SelfWeight]| {
+        let begin = format!("couplet figure {number} --weight {}", weight_word(weights));
+        let said = [("number", Vec::new()), ("weight", Vec::new())];
+        table.command(begin, ItemKind::Figure, &said)
+    };
+    match figure(number, weights, tolerance, str::to_owned, command) {
+        Ok(what) => Some(what),
         Err(said) => table.refuse(said),
     }
 }

@@ -1,18 +1,82 @@
-//! Reading from TOML to the plan of a sweep, or to everything that is wrong with it.
+//! The plan of a sweep, `couplet.sweep/1`, and reading from TOML to it, or to everything that is wrong with it. Keys
+//! may be added, none changes its meaning.
 
 use super::axes::axes;
 use super::fault::Fault;
-use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
 use super::table::TableReader;
 use super::value::{Entry, TomlReader};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchGiven, ArchQuestion};
 use crate::certify::MAX_DIGITS;
-use crate::problem::Quantity;
+use crate::number::ExactNumber;
+use crate::problem::{Friction, Quantity};
 use toml::de::{DeTable, DeValue};
 
-/// The kinds of arches, of which a plan has one.
-const KINDS: [&str; 3] = ["grid", "sample", "data"];
+/// The name and the version of the schema: of a plan, of its record, and of the parts that are written.
+pub const SWEEP_SCHEMA: &str = "couplet.sweep/1";
+
+/// A plan with every key and what it means, which is itself a plan.
+pub const SWEEP_EXAMPLE: &str = include_str!("sweep.toml");
+
+/// Digits that tell the nearest double; with more a value is written as text too.
+pub const SWEEP_DIGITS: usize = 17;
+
+/// The most arches of a sample.
+pub(crate) const MAX_SAMPLE: usize = 10_000_000_000;
+/// The most rows of a part.
+pub(crate) const MAX_CHUNK: usize = 100_000_000;
+
+/// Many arches, and what is asked of each.
+#[derive(Clone, Debug)]
+pub struct SweepPlan {
+    /// The weights of a grid, in the order in which they are swept; of a data set one, that of the rows without.
+    pub weights: Vec<SelfWeight>,
+    /// The values that are computed, in the order of [`Quantity::STATE_ROW`].
+    pub quantities: Vec<Quantity>,
+    /// Significant digits.
+    pub digits: usize,
+    /// Rows of a part, if the plan says how many.
+    pub chunk: Option<usize>,
+    /// The arches.
+    pub arches: SweepArches,
+    /// Remarks on what is swept all the same.
+    pub notes: Vec<Fault>,
+}
+
+/// The arches of a sweep.
+#[derive(Clone, Debug)]
+pub enum SweepArches {
+    /// Every weight with every half opening and every friction, in this order.
+    Grid {
+        /// Half openings in `(0, pi)`, rad.
+        half_openings: Vec<ExactNumber>,
+        /// The frictions.
+        frictions: Vec<Friction>,
+    },
+    /// Arches drawn from a seed.
+    Sample {
+        /// Number of arches.
+        count: usize,
+        /// Seed that the first are drawn from.
+        seed: u64,
+        /// True if the arches are hard ones.
+        hard: bool,
+    },
+    /// The rows of files: paths as they are written.
+    Data {
+        /// Files, one after the other.
+        files: Vec<String>,
+    },
+}
+
+/// The kinds of arches, of which a plan has one: the table, its keys, and its reader.
+const KINDS: [Kind; 3] = [
+    ("grid", &["half_opening", "friction", "friction_angle"], grid),
+    ("sample", &["count", "seed", "hard"], sample),
+    ("data", &["files"], data),
+];
+type Kind = (&'static str, &'static [&'static str], fn(&mut TableReader) -> Option<SweepArches>);
+
 const KEYS: [&str; 8] =
     ["schema", "weight", "quantities", "digits", "chunk", "grid", "sample", "data"];
 
@@ -55,9 +119,8 @@ fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
 
 /// The kind of the arches, and the arches if nothing is wrong with them.
 fn arches(plan: &mut TableReader) -> Option<(&'static str, Option<SweepArches>)> {
-    let there: Vec<_> =
-        KINDS.into_iter().filter_map(|kind| Some((kind, plan.get(kind)?))).collect();
-    let (kind, value) = match there[..] {
+    let there = KINDS.into_iter().filter_map(|kind| Some((kind, plan.get(kind.0)?)));
+    let ((kind, keys, read), value) = match there.collect::<Vec<_>>()[..] {
         [one] => one,
         [] => return plan.refuse("the plan has no arches; give [grid], [sample] or [data]"),
         [_, (_, value), ..] => {
@@ -69,17 +132,11 @@ fn arches(plan: &mut TableReader) -> Option<(&'static str, Option<SweepArches>)>
         return plan.reader.reject((kind, value), &format!("a table [{kind}]"));
     };
     let mut table = TableReader { reader: plan.reader, span: value.span(), table };
-    let arches = match kind {
-        "grid" => grid(&mut table),
-        "sample" => sample(&mut table),
-        _ => data(&mut table),
-    };
-    Some((kind, arches))
+    table.reader.unknown_keys(table.table, &format!("[{kind}]"), keys);
+    Some((kind, read(&mut table)))
 }
 
 fn grid(table: &mut TableReader) -> Option<SweepArches> {
-    let keys = ["half_opening", "friction", "friction_angle"];
-    table.reader.unknown_keys(table.table, "[grid]", &keys);
     let (mut half_openings, mut frictions) = (Vec::new(), Vec::new());
     for axis in axes(table, Some(&ArchQuestion::ANY), false)? {
         for part in axis.parts(table) {
@@ -93,7 +150,6 @@ fn grid(table: &mut TableReader) -> Option<SweepArches> {
 }
 
 fn sample(table: &mut TableReader) -> Option<SweepArches> {
-    table.reader.unknown_keys(table.table, "[sample]", &["count", "seed", "hard"]);
     let count = match table.get("count") {
         Some(value) => table.reader.whole(("count", value), 1..=MAX_SAMPLE),
         None => table.refuse("count is missing; give a whole number"),
@@ -104,7 +160,6 @@ fn sample(table: &mut TableReader) -> Option<SweepArches> {
 }
 
 fn data(table: &mut TableReader) -> Option<SweepArches> {
-    table.reader.unknown_keys(table.table, "[data]", &["files"]);
     let Some(value) = table.get("files") else {
         return table.refuse("files is missing; give paths, as \"arches.csv\"");
     };
@@ -123,7 +178,6 @@ fn path(reader: &mut TomlReader, at: Entry) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sweep::SWEEP_EXAMPLE;
     use super::*;
 
     fn faults(text: &str) -> String {

@@ -1,11 +1,10 @@
 //! Does what a plan says: one item after the other, the parts of an item on all cores.
 
-use super::computable::Done;
+use super::computable::{Done, Shared};
 use super::cost::{Cost, measured};
 use super::item_report::ItemReport;
 use super::plan::Plan;
 use super::schema::{ItemKind, Request, Scene};
-use super::shared::Shared;
 use super::work::Work;
 use crate::picture::Print;
 use crate::report::Format;

@@ -248,18 +248,6 @@ impl ItemKind {
 /// The keys of a scene beside its items.
 pub(super) const SCENE_KEYS: [&str; 3] = ["schema", "digits", "weight"];
 
-impl Request {
-    /// The command that asks for the same, as the caption of a picture has it.
-    pub fn command(&mut self) -> Option<&mut String> {
-        match self {
-            Self::Map(SceneMap { command, .. }) | Self::Drawing(SceneDrawing { command, .. }) => {
-                Some(command)
-            }
-            _ => None,
-        }
-    }
-}
-
 impl SceneItem {
     /// Description of all that its output depends on: everything that was read, the same however the file has it.
     pub fn description(&self) -> String {

@@ -1,9 +1,8 @@
 //! All arches between two ends: proved together, for an answer of its own or for a row of a table of boxes.
 
-use super::computable::{Computable, Done};
+use super::computable::{Computable, Done, Shared};
 use super::read_arches::given;
 use super::schema::SceneSurvey;
-use super::shared::Shared;
 use crate::problem::Quantity;
 use crate::report::words::list;
 use crate::report::{SurveyedArches, SurveyedRows, Understood};

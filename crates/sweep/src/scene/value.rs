@@ -135,9 +135,7 @@ impl<'s> TomlReader<'s> {
         read: impl FnOnce(&str) -> Result<T, E>,
     ) -> Option<T> {
         let text = Self::literal(value).or_else(|| self.reject(at, "a text"))?;
-        read(text)
-            .or_else(|said| self.refuse(value.span(), format!("{key}: {said}")).ok_or(()))
-            .ok()
+        read(text).map_err(|said| self.fault(value.span(), format!("{key}: {said}"))).ok()
     }
 
     pub(super) fn truth(&mut self, at: Entry) -> Option<bool> {
