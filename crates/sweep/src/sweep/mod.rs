@@ -7,7 +7,7 @@
 //! | `queries`, `listed` | the rows of a part as they are asked |
 //! | `text` | the pieces of the files of a data set |
 //! | `table` | rows of a part by columns |
-//! | `notes`, `read` | a part as a Parquet file: on itself, as it is looked through |
+//! | `part_file` | a part as a Parquet file: on itself, as it is looked through |
 //! | `store`, `part_name` | the folder of the parts, and their names |
 //! | `new_file` | a file of a sweep until it appears |
 //! | `sweep` | a sweep and its parts: the door |
@@ -16,10 +16,9 @@
 mod cost;
 mod listed;
 mod new_file;
-mod notes;
+mod part_file;
 mod part_name;
 mod queries;
-mod read;
 mod record;
 mod store;
 #[allow(clippy::module_inception, reason = "the folder is named after what it does")]

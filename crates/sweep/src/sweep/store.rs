@@ -3,7 +3,7 @@
 //! of its content, which tell whether it is what was written.
 
 use super::new_file::{self, NewFile};
-use super::notes::Notes;
+use super::part_file::Notes;
 use super::part_name::{PartName, SHOWN};
 use super::record::{SweepRecord, VERSION};
 use crate::failure::Failure;

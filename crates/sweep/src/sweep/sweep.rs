@@ -1,7 +1,7 @@
 //! A sweep: what it is, the folder of its parts, and the work that one part is. Nothing else has to be known to whoever
 //! shares the parts among processes or machines.
 
-use super::notes::Notes;
+use super::part_file::Notes;
 use super::queries::{AxisNumber, PartQueries};
 use super::queries::{frictions, queries};
 use super::record::{Arches, DataFile, SweepRecord};

@@ -1,7 +1,7 @@
 //! Looks through a sweep that was made: its parts, its rows, and what is proved of some of them.
 
+use super::part_file::ReadPart;
 use super::queries::PartQueries;
-use super::read::ReadPart;
 use super::store::PartState;
 use super::strategies::Draw;
 use super::sweep::Sweep;
