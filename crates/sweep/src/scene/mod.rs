@@ -5,11 +5,11 @@
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
 //! | `read` | TOML to a valid scene, or all its faults; with `table`, `axes`, `read_arches`, `read_drawing`, `read_map`, `figure`, `read_output`, `value`, `fault` |
 //! | `scene_map` | which lines a map shows |
-//! | `plan`, `same`, `left_out` | what has to be computed, each part once, and what has not |
-//! | `work`, `computable` | what a part is, and what parts share; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
+//! | `plan`, `same` | what has to be computed, each part once |
+//! | `computable` | what a part is, and what parts share; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
 //! | `run` | computes the parts, item by item; `cost` counts |
 //! | `item_report` | what an item asked for, as a report |
-//! | `explain` | the plan as a tree, with what `expected` says of the arches |
+//! | `explain` | the plan as a tree, with what it leaves out and what `expected` says of the arches |
 //! | `manifest`, `hash` | which outputs are complete, told by their content |
 //! | `read_sweep` | the plan of a sweep, `couplet.sweep/1` |
 //!
@@ -46,7 +46,6 @@ mod figure;
 mod hash;
 mod item_report;
 mod landmark_node;
-mod left_out;
 mod manifest;
 mod plan;
 mod read;
@@ -62,7 +61,6 @@ mod schema;
 mod survey_node;
 mod table;
 mod value;
-mod work;
 
 pub use cost::Cost;
 pub use drawn::{DrawnArch, Pose};

@@ -3,9 +3,8 @@
 use super::computable::{Done, Shared};
 use super::cost::{Cost, measured};
 use super::item_report::ItemReport;
-use super::plan::Plan;
+use super::plan::{Plan, Work};
 use super::schema::{ItemKind, Request, Scene};
-use super::work::Work;
 use crate::picture::Print;
 use crate::report::Format;
 
