@@ -11,7 +11,6 @@ use crate::problem::{Arch, Friction};
 use crate::report::GivenDoubles;
 use ::parquet::data_type::ByteArray;
 use std::borrow::Cow;
-use std::fmt;
 use std::ops::Range;
 use std::path::Path;
 
@@ -110,18 +109,18 @@ const BLOCK: u64 = 1_000;
 pub(super) fn frictions(record: &SweepRecord) -> Result<Vec<AxisNumber<Friction>>, String> {
     let record::Arches::Grid { friction, .. } = &record.arches else { return Ok(Vec::new()) };
     let one = ExactNumber::from(&rug::Rational::from(1));
-    let read = |text: &String| {
-        let number: Friction = text.parse().map_err(|error| wrong(&error))?;
+    let read = |number: &Friction| {
         let arch = Arch::new(SelfWeight::Heyman, one.clone(), number.clone());
-        let double = GivenDoubles::new(&arch.map_err(|error| wrong(&error))?, None).friction;
-        let enclosed = SharedOpening::enclosed(&number);
-        Ok(AxisNumber { text: ByteArray::from(text.as_str()), double, enclosed, number })
+        let arch = arch.map_err(|error| format!("the record of the sweep: {error}"))?;
+        let (double, enclosed) =
+            (GivenDoubles::new(&arch, None).friction, SharedOpening::enclosed(number));
+        Ok(AxisNumber { text: text_of(number), double, enclosed, number: number.clone() })
     };
     friction.iter().map(read).collect()
 }
 
-fn wrong(error: &dyn fmt::Display) -> String {
-    format!("the record of the sweep: {error}")
+fn text_of(number: &impl ToString) -> ByteArray {
+    ByteArray::from(number.to_string().as_str())
 }
 
 /// The rows of a group of a part; `base` is where the paths of a data set begin.
@@ -133,7 +132,7 @@ pub(super) fn queries<'a>(
 ) -> Result<PartQueries<'a>, String> {
     let arches = match &record.arches {
         record::Arches::Grid { half_opening, .. } => {
-            PartArches::Grid(grid(&record.weights(), half_opening, frictions, rows)?)
+            PartArches::Grid(grid(&record.weights, half_opening, frictions, rows))
         }
         record::Arches::Sample { seed, hard } => {
             PartArches::Listed(Box::new(sample(*seed, *hard, rows)))
@@ -152,7 +151,7 @@ fn data(
     rows: &Range<u64>,
     base: &Path,
 ) -> Result<Listed, String> {
-    let weight = record.weights().first().copied().unwrap_or(SelfWeight::Milankovitch);
+    let weight = record.weights.first().copied().unwrap_or(SelfWeight::Milankovitch);
     let mut first = 0;
     for file in files {
         for slice in &file.slices {
@@ -170,10 +169,10 @@ fn data(
 
 fn grid<'a>(
     weights: &[SelfWeight],
-    half_openings: &[String],
+    half_openings: &[ExactNumber],
     frictions: &'a [AxisNumber<Friction>],
     rows: &Range<u64>,
-) -> Result<PartGrid<'a>, String> {
+) -> PartGrid<'a> {
     let column = frictions.len() as u64;
     let columns = rows.start / column..rows.end.div_ceil(column);
     // Whole columns, or a piece of one.
@@ -183,15 +182,12 @@ fn grid<'a>(
     };
     let count = half_openings.len() as u64;
     let column = |place: u64| {
-        let (weight, text) =
-            (weights[(place / count) as usize], &half_openings[(place % count) as usize]);
-        let number: ExactNumber = text.parse().map_err(|error| wrong(&error))?;
-        let (text, double) = (ByteArray::from(text.as_str()), number.nearest_double());
+        let number = half_openings[(place % count) as usize].clone();
+        let (text, double) = (text_of(&number), number.nearest_double());
         let enclosed = Some(SharedOpening::enclosed_number(&number));
-        Ok((weight, AxisNumber { text, double, enclosed, number }))
+        (weights[(place / count) as usize], AxisNumber { text, double, enclosed, number })
     };
-    let columns = columns.map(column).collect::<Result<_, String>>()?;
-    Ok(PartGrid { columns, frictions: &frictions[needed] })
+    PartGrid { columns: columns.map(column).collect(), frictions: &frictions[needed] }
 }
 
 fn sample(seed: u64, hard: bool, rows: &Range<u64>) -> Listed {

@@ -7,7 +7,8 @@ use super::cost::{GRID_GROUP, GROUP, MAX_PARTS, rows_of_a_part};
 use super::text::{self, Head, TextSlice};
 use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
-use crate::problem::Quantity;
+use crate::number::ExactNumber;
+use crate::problem::{Friction, Quantity};
 use crate::scene::{
     MAX_CHUNK, MAX_RECORD, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan, hash_of,
 };
@@ -26,8 +27,8 @@ pub(super) struct SweepRecord {
     pub schema: String,
     /// The version of the program: another one may prove what this one leaves undecided.
     pub couplet: String,
-    pub weights: Vec<String>,
-    pub quantities: Vec<String>,
+    pub weights: Vec<SelfWeight>,
+    pub quantities: Vec<Quantity>,
     pub digits: usize,
     /// Rows in all.
     pub rows: u64,
@@ -41,7 +42,7 @@ pub(super) struct SweepRecord {
 #[serde(deny_unknown_fields, rename_all = "snake_case")]
 pub(super) enum Arches {
     /// Every weight with every half opening and every friction.
-    Grid { half_opening: Vec<String>, friction: Vec<String> },
+    Grid { half_opening: Vec<ExactNumber>, friction: Vec<Friction> },
     /// Drawn from a seed.
     Sample { seed: u64, hard: bool },
     /// The rows of files, each told by its name and its content.
@@ -71,12 +72,10 @@ impl SweepRecord {
             if let SweepArches::Data { files } = &plan.arches { files } else { &[] };
         let length = |name: &String| fs::metadata(base.join(name)).map_or(0, |there| there.len());
         let chunk = rows_of_a_part(plan, files.iter().map(length).sum());
-        let weights: Vec<String> = plan.weights.iter().map(|w| w.name().to_owned()).collect();
         let (rows, arches) = match &plan.arches {
             SweepArches::Grid { half_openings, frictions } => {
-                let rows = [weights.len(), half_openings.len(), frictions.len()];
-                let half_opening = half_openings.iter().map(ToString::to_string).collect();
-                let friction = frictions.iter().map(ToString::to_string).collect();
+                let rows = [plan.weights.len(), half_openings.len(), frictions.len()];
+                let (half_opening, friction) = (half_openings.clone(), frictions.clone());
                 (rows.iter().product::<usize>() as u64, Arches::Grid { half_opening, friction })
             }
             SweepArches::Sample { count, seed, hard } => {
@@ -97,8 +96,8 @@ impl SweepRecord {
         Self {
             schema: SWEEP_SCHEMA.to_owned(),
             couplet: VERSION.to_owned(),
-            weights,
-            quantities: plan.quantities.iter().map(|of| of.name().to_owned()).collect(),
+            weights: plan.weights.clone(),
+            quantities: plan.quantities.clone(),
             digits: plan.digits,
             rows,
             chunk,
@@ -115,16 +114,6 @@ impl SweepRecord {
     /// SHA-256 of the one form.
     pub(super) fn hash(&self) -> String {
         hash_of(self.text().as_bytes())
-    }
-
-    /// The weights.
-    pub(super) fn weights(&self) -> Vec<SelfWeight> {
-        self.weights.iter().filter_map(|name| SelfWeight::named(name)).collect()
-    }
-
-    /// The quantities.
-    pub(super) fn quantities(&self) -> Vec<Quantity> {
-        self.quantities.iter().filter_map(|name| Quantity::named(name)).collect()
     }
 
     /// Checks that the record makes sense, and its parts can be listed: it may come from elsewhere.
@@ -145,9 +134,7 @@ impl SweepRecord {
                 })
             }
         };
-        let is_known = self.weights().len() == self.weights.len()
-            && self.quantities().len() == self.quantities.len()
-            && (SWEEP_DIGITS..=MAX_DIGITS).contains(&self.digits)
+        let is_known = (SWEEP_DIGITS..=MAX_DIGITS).contains(&self.digits)
             && (1..=MAX_CHUNK as u64).contains(&self.chunk);
         if rows != Some(self.rows) || !is_known {
             return Err("its record contradicts itself".into());
@@ -288,7 +275,8 @@ mod tests {
         contradicts(SweepRecord { chunk: 0, ..usual() });
         contradicts(SweepRecord { chunk: u64::MAX, ..usual() });
         contradicts(SweepRecord { digits: usize::MAX, ..usual() });
-        contradicts(SweepRecord { quantities: vec!["x".into()], ..usual() });
+        let text = usual().text().replace("\"thickness\"", "\"x\"");
+        assert!(serde_json::from_str::<SweepRecord>(&text).is_err());
         let grid = record("[grid]\nhalf_opening = [1, 2]\nfriction = 1\n");
         contradicts(SweepRecord { rows: 3, ..grid });
         let text = record("chunk = 1\n[sample]\ncount = 1000001\n").check().unwrap_err();

@@ -49,7 +49,7 @@ impl Sweep {
     }
 
     fn of(store: Store, record: SweepRecord, base: &Path) -> Self {
-        let (quantities, digits) = (record.quantities(), record.digits);
+        let (quantities, digits) = (record.quantities.clone(), record.digits);
         let batch = Batch { quantities, digits, has_texts: digits > SWEEP_DIGITS };
         let parts = record.parts();
         let frictions = OnceLock::new();
