@@ -1,7 +1,7 @@
 //! Readers of the values of options: one language for every command, and for other doors to the program.
 
+use crate::arch::SelfWeight;
 use crate::arch::asymmetric::AsymmetricMode;
-use crate::arch::{NoWeight, SelfWeight};
 use crate::certify::{MAX_DIGITS, Refused};
 use crate::check::{self, Engine};
 use crate::claims::{Claim, claims};
@@ -52,7 +52,7 @@ pub fn mode(text: &str) -> Result<Mode, String> {
 /// A self-weight model by its name.
 pub fn weight(text: &str) -> Result<SelfWeight, String> {
     let names = SelfWeight::ALL.map(SelfWeight::name);
-    text.parse().map_err(|none: NoWeight| format!("{none}{}", did_you_mean(text, &names)))
+    SelfWeight::named(text).ok_or_else(|| unknown("a weight", text, &names))
 }
 
 /// One self-weight model, or both.

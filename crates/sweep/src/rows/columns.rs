@@ -298,10 +298,7 @@ fn shown(header: &[String]) -> String {
 /// `theirs=ours`, `theirs=ours:deg`, or a name that is theirs and ours.
 fn column(text: &str, purpose: Purpose) -> Result<RowColumn, String> {
     let (theirs, ours) = text.rsplit_once('=').unwrap_or((text, text));
-    let (ours, unit) = match ours.rsplit_once(':') {
-        Some((ours, unit)) => (ours, Some(unit)),
-        None => (ours, None),
-    };
+    let (ours, unit) = ours.rsplit_once(':').map_or((ours, None), |(of, unit)| (of, Some(unit)));
     let theirs = if text.contains('=') { theirs } else { ours };
     let roles = purpose.roles();
     let name = plain(ours.trim());

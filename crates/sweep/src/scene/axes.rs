@@ -2,7 +2,7 @@
 //! combination of them is a question.
 
 use super::same::given_key;
-use super::schema::MAX_ARCHES;
+use super::schema::{FIELDS, MAX_ARCHES};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::ask::{
@@ -36,9 +36,8 @@ pub(super) fn is_measured(table: &TableReader) -> bool {
 
 /// Values of arches that a table gives.
 pub(super) fn given<'a>(table: &mut TableReader<'a, '_>) -> Vec<(Field, &'a TomlValue<'a>)> {
-    let numbers = [Field::HalfOpening, Field::Friction, Field::FrictionAngle, Field::Thickness];
     let mut all = Vec::new();
-    for field in numbers.into_iter().chain(Field::SIZES) {
+    for field in FIELDS {
         let [named, lettered] = [Some(field.name()), field.letter()].map(|key| table.get(key?));
         if let (Some(_), Some(letter), Some(value)) = (named, field.letter(), lettered) {
             let message = format!("both {} and {letter}; give one of them", field.name());

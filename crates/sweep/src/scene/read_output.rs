@@ -80,8 +80,9 @@ fn file(reader: &mut TomlReader, value: &TomlValue, files: &mut OutputFiles) -> 
                 .then(|| format!("and the output in line {line} cannot be a file and its folder"))
         }
     });
-    let own = || Some("is where the run keeps its own record".to_owned());
-    if let Some(reason) = if key == Path::new(manifest::NAME) { own() } else { clash } {
+    let is_own = key == Path::new(manifest::NAME);
+    let own = is_own.then(|| "is where the run keeps its own record".to_owned());
+    if let Some(reason) = own.or(clash) {
         let shown = reader.source.shown(value.span());
         return reader.refuse(value.span(), format!("output {shown} {reason}"));
     }

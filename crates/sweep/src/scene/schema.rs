@@ -6,7 +6,7 @@ use super::scene_map::SceneMap;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, Field};
 use crate::claims::Claim;
-use crate::number::{ExactNumber, worded};
+use crate::number::{ExactNumber, list, worded};
 use crate::picture::Print;
 use crate::problem::Arch;
 use crate::problem::measures::Measures;
@@ -176,6 +176,11 @@ pub struct SceneBoxes {
     pub rows: SurveyedRows,
 }
 
+/// Fields that an arch is given by.
+pub(super) const FIELDS: [Field; 10] = list![
+    Field: HalfOpening Friction FrictionAngle Thickness Span Rise Radius MeasuredAt Density Depth
+];
+
 worded! {
     /// A kind of item, by the table that asks for it.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -218,10 +223,7 @@ impl ItemKind {
     pub fn keys(self) -> Vec<&'static str> {
         let own = match self {
             Self::Constants => "landmarks quantities weight digits",
-            Self::Arches => {
-                "half_opening friction friction_angle thickness span rise radius measured_at density depth quantities \
-                 weight digits"
-            }
+            Self::Arches => "quantities weight digits",
             Self::Claims => "prove show",
             Self::Audit => "landmarks weight",
             Self::Map => {
@@ -229,14 +231,14 @@ impl ItemKind {
                  friction_unit scale half_opening_range friction_range thickness_range marks"
             }
             Self::Figure => "number weight tolerance",
-            Self::Drawing => {
-                "half_opening friction friction_angle thickness span rise radius measured_at density depth at weight \
-                 mode amplitude stones dilatant half arrows animate"
-            }
+            Self::Drawing => "at weight mode amplitude stones dilatant half arrows animate",
         };
+        let fields = if matches!(self, Self::Arches | Self::Drawing) { &FIELDS[..] } else { &[] };
         let print =
             if self.is_drawn() { "width font_size font caption full_caption title" } else { "" };
-        [own, print, "format output"].iter().flat_map(|keys| keys.split_whitespace()).collect()
+        let rest = [own, print, "format output"];
+        let rest = rest.into_iter().flat_map(str::split_whitespace);
+        fields.iter().map(|field| field.name()).chain(rest).collect()
     }
 
     /// Tells whether it may be a picture.
