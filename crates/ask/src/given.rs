@@ -86,8 +86,7 @@ impl ArchGiven {
         let missing = |field| Misfit::new(field, format!("{} is missing", field.name()));
         let alpha = self.half_opening.clone().ok_or_else(|| missing(Field::HalfOpening))?;
         let friction = self.friction.clone().ok_or_else(|| missing(Field::Friction))?;
-        Arch::new(weight, alpha, friction)
-            .map_err(|error| Misfit { field: None, message: error.to_string() })
+        Ok(Arch::new(weight, alpha, friction).map_err(|error| error.to_string())?)
     }
 
     /// Notes on what may have been meant otherwise.
