@@ -161,7 +161,21 @@ impl Store {
         let firsts = (0..parts.max(1)).step_by(TOGETHER);
         let folders: Vec<String> = firsts.clone().map(|first| within(first, parts)).collect();
         for (first, folder) in firsts.zip(&folders) {
-            self.folder_of(first..parts.min(first + TOGETHER), folder, &mut files)?;
+            let parts = first..parts.min(first + TOGETHER);
+            for (name, whole) in self.entries(folder)? {
+                let path = format!("{folder}{name}");
+                let name = PartName::read(&name).filter(|name| parts.contains(&name.part));
+                match (name, fs::metadata(&whole)) {
+                    (Some(name), Ok(there)) if there.is_file() => {
+                        let of = files.parts.entry(name.part).or_default();
+                        of.push(PartFile { path, name, bytes: there.len() });
+                    }
+                    // Another run takes a part away that is not whole.
+                    (Some(_), Err(_)) if !whole.is_symlink() => {}
+                    // A pipe would be waited for.
+                    _ => files.strays.push(path),
+                }
+            }
         }
         if parts > TOGETHER {
             let is_folder =
@@ -192,30 +206,6 @@ impl Store {
         let mut all = named.collect::<io::Result<Vec<_>>>().map_err(failed)?;
         all.retain(|(name, _)| !name.starts_with('.'));
         Ok(all)
-    }
-
-    /// Adds the files of a folder that has these parts.
-    fn folder_of(
-        &self,
-        parts: Range<usize>,
-        folder: &str,
-        files: &mut PartFiles,
-    ) -> Result<(), Failure> {
-        for (name, whole) in self.entries(folder)? {
-            let path = format!("{folder}{name}");
-            let name = PartName::read(&name).filter(|name| parts.contains(&name.part));
-            match (name, fs::metadata(&whole)) {
-                (Some(name), Ok(there)) if there.is_file() => {
-                    let of = files.parts.entry(name.part).or_default();
-                    of.push(PartFile { path, name, bytes: there.len() });
-                }
-                // Another run takes a part away that is not whole.
-                (Some(_), Err(_)) if !whole.is_symlink() => {}
-                // A pipe would be waited for.
-                _ => files.strays.push(path),
-            }
-        }
-        Ok(())
     }
 
     /// State of the files of a part of these rows, told by name and size; where they are read, or there are several, by

@@ -38,12 +38,6 @@ pub(super) struct TextSlice {
     sha256: String,
 }
 
-/// Place where the text of a file begins.
-fn start(file: &mut File) -> io::Result<u64> {
-    let mark = bytes_of(file, 0, BYTE_ORDER_MARK.len() as u64)?;
-    Ok(if mark == BYTE_ORDER_MARK { mark.len() as u64 } else { 0 })
-}
-
 /// Formats that are no text, by their beginnings.
 const OTHERS: [(&[u8], &str); 7] = [
     (b"PAR1", "Parquet"),
@@ -135,8 +129,10 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<(Option<Head>, Vec<TextSl
         return Err("it is a folder, a pipe or a device".into());
     }
     let mut file = File::open(path).map_err(read)?;
-    is_text(&bytes_of(&mut file, 0, BEGINNING).map_err(read)?)?;
-    let start = start(&mut file).map_err(read)?;
+    let beginning = bytes_of(&mut file, 0, BEGINNING).map_err(read)?;
+    is_text(&beginning)?;
+    let start =
+        if beginning.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() as u64 } else { 0 };
     file.seek(SeekFrom::Start(start)).map_err(read)?;
     let mut all = open(BufReader::new(file.try_clone().map_err(read)?))?;
     let head = all.is_table().then(|| all.looked());
