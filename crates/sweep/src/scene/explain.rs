@@ -2,11 +2,10 @@
 
 use super::arch_node::ArchNode;
 use super::cost::Cost;
-use super::curve_node::CurveNode;
 use super::landmark_node::LandmarkNode;
 use super::plan::{Plan, PlannedPart, Work};
 use super::run::Costs;
-use super::scene_map::MapLine;
+use super::scene_map::{CurveNode, MapLine};
 use super::schema::{Request, SceneItem};
 use crate::arch::SelfWeight;
 use crate::atlas::Curve;

@@ -2,10 +2,9 @@
 
 use super::arch_node::ArchPiece;
 use super::computable::Done;
-use super::curve_node::CurvePiece;
 use super::landmark_node::LandmarkPiece;
 use super::plan::{PAGE_DIGITS, Plan};
-use super::scene_map::SceneMap;
+use super::scene_map::{CurvePiece, SceneMap};
 use super::schema::{MeasuredArch, Request, SceneArch, SceneBoxes, SceneDrawing};
 use crate::answer;
 use crate::arch::SelfWeight;

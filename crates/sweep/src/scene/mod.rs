@@ -4,9 +4,9 @@
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
 //! | `read` | TOML to a valid scene, or all its faults; with `table`, `axes`, `read_arches`, `read_drawing`, `read_map`, `figure`, `read_output`, `value`, `fault` |
-//! | `scene_map` | which lines a map shows |
+//! | `scene_map` | which lines a map shows, and what each is |
 //! | `plan`, `same` | what has to be computed, each part once |
-//! | `computable` | what a part is, and what parts share; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
+//! | `computable` | what a part is, and what parts share; `landmark_node`, `arch_node`, `scene_map`, `drawn`, `survey_node` are the kinds |
 //! | `run` | computes the parts, item by item; `cost` counts |
 //! | `item_report` | what an item asked for, as a report |
 //! | `explain` | the plan as a tree, with what it leaves out and what `expected` says of the arches |
@@ -37,7 +37,6 @@ mod arch_node;
 mod axes;
 mod computable;
 mod cost;
-mod curve_node;
 mod drawn;
 mod expected;
 mod explain;

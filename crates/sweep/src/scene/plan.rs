@@ -3,9 +3,9 @@
 
 use super::arch_node::ArchNode;
 use super::computable::Computable;
-use super::curve_node::CurveNode;
 use super::drawn::DrawnArch;
 use super::landmark_node::LandmarkNode;
+use super::scene_map::CurveNode;
 use super::schema::{Request, Scene, SceneArch, SceneItem};
 use super::survey_node::SurveyNode;
 use crate::arch::SelfWeight;

@@ -1,9 +1,11 @@
-//! A map that is asked for, by a command or by a scene.
+//! A map that is asked for, by a command or by a scene, and its lines, each of which is proved once.
 
+use super::computable::{Computable, Done, LONG, Shared};
 use crate::arch::SelfWeight;
-use crate::atlas::{Contour, Curve};
+use crate::atlas::{Border, Contour, Curve, Level, NoLevel, Trace};
 use crate::problem::Landmark;
 use crate::report::{Axes, MapAsked, Marked, Plane, View};
+use std::fmt;
 
 /// A line on the map.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,5 +66,74 @@ impl SceneMap {
         let landmarks = shown.iter().flat_map(|w| Landmark::ALL.map(|landmark| (landmark, *w)));
         let (landmarks, tolerance) = (landmarks.collect(), axes.tolerance(asked.tolerance));
         Self { lines, tolerance, landmarks, view, axes, marks: asked.marks, command }
+    }
+}
+
+/// A line of the map.
+#[derive(Debug)]
+pub(super) struct CurveNode {
+    /// Line of the map.
+    pub line: MapLine,
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// The largest half-width of a tube.
+    pub tolerance: f64,
+}
+
+/// A proved line.
+pub(super) enum CurvePiece {
+    Curve(Box<Trace>),
+    Level(Level),
+    Borders(Vec<Border>),
+}
+
+impl CurveNode {
+    /// Follows it from end to end.
+    fn piece(&self, shared: &Shared) -> Result<CurvePiece, NoLevel> {
+        let undecided = |error| NoLevel::Undecided(self.to_string(), error);
+        Ok(match &self.line {
+            MapLine::Curve(curve) => {
+                let trace = Trace::new(*curve, self.weight, self.tolerance).map_err(undecided)?;
+                CurvePiece::Curve(Box::new(trace))
+            }
+            MapLine::Level(contour) => {
+                let lines = shared.lines(self.weight).map_err(undecided)?;
+                CurvePiece::Level(Level::among(lines, self.weight, contour, self.tolerance)?)
+            }
+            MapLine::Asymmetric => {
+                let borders = Border::all(self.weight, self.tolerance).map_err(undecided)?;
+                CurvePiece::Borders(borders)
+            }
+        })
+    }
+}
+
+impl Computable for CurveNode {
+    fn key(&self) -> String {
+        self.lines().concat()
+    }
+
+    fn size(&self) -> usize {
+        LONG
+    }
+
+    fn lines(&self) -> Vec<String> {
+        vec![format!("{self}, in tubes of {:?}", self.tolerance)]
+    }
+
+    fn compute(&self, shared: &Shared, _: &(dyn Fn() + Sync)) -> Done {
+        Box::new(self.piece(shared))
+    }
+}
+
+impl fmt::Display for CurveNode {
+    /// Writes the name of the curve, as in files.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let weight = self.weight.name();
+        match &self.line {
+            MapLine::Curve(curve) => write!(f, "{curve} {weight}"),
+            MapLine::Level(contour) => write!(f, "{contour} {weight}"),
+            MapLine::Asymmetric => write!(f, "asymmetric {weight}"),
+        }
     }
 }
