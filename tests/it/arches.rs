@@ -1,8 +1,10 @@
 //! Arches in few words.
 
-use couplet::arch::SelfWeight;
-use couplet::number::ExactNumber;
-use couplet::problem::Arch;
+use couplet::arch::{SelfWeight, Unknown};
+use couplet::certify::CertifiedLandmark;
+use couplet::certify::state::{Answer, Certify, Digits};
+use couplet::number::{Ball, ExactNumber};
+use couplet::problem::{Arch, Landmark};
 use rug::Rational;
 
 pub(crate) const H: SelfWeight = SelfWeight::Heyman;
@@ -24,4 +26,24 @@ pub(crate) fn rational_arch(
     friction: &Rational,
 ) -> Arch {
     arch(weight, &half_opening.to_string(), &friction.to_string())
+}
+
+/// The state of an arch that stands, to some digits.
+#[track_caller]
+pub(crate) fn stands(arch: &Arch, digits: usize) -> Box<Digits> {
+    match arch.certify(digits) {
+        Ok(Answer::Stands(state)) => state,
+        other => panic!("{arch}: {other:?}"),
+    }
+}
+
+/// What a landmark has of an unknown.
+pub(crate) fn at_landmark(
+    landmark: Landmark,
+    weight: SelfWeight,
+    unknown: Unknown,
+    bits: u32,
+) -> Ball {
+    let point = CertifiedLandmark::new(landmark, weight).unwrap();
+    point.enclosure(bits).unwrap().value(unknown).unwrap()
 }

@@ -5,6 +5,8 @@
 
 mod arches;
 mod hard;
+mod house;
+mod json;
 mod program;
 mod tool;
 

@@ -59,11 +59,12 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
+pub(crate) use crate::json::*;
 pub(crate) use whole::*;
 
 /// What only the tests of the whole program need.
 mod whole {
-    use super::{Words, command, couplet, text};
+    use super::{Words, command, text};
     use serde_json::Value;
     use std::collections::BTreeMap;
     use std::io::Write;
@@ -107,11 +108,30 @@ mod whole {
         (output.status.code(), text(&output.stdout), text(&output.stderr))
     }
 
+    /// What a command prints, and what it says, that ends with this exit code.
+    #[track_caller]
+    pub(crate) fn ended(
+        code: i32,
+        arguments: impl Words,
+        input: impl AsRef<[u8]>,
+    ) -> (String, String) {
+        let (found, output, message) = said(&fed(&arguments, input));
+        assert_eq!(found, Some(code), "{:?}: {output}{message}", arguments.words());
+        (output, message)
+    }
+
     /// What a command prints that does all that it is asked.
+    #[track_caller]
     pub(crate) fn printed(arguments: impl Words) -> String {
-        let (code, output, message) = said(&couplet(&arguments));
-        assert_eq!(code, Some(0), "{:?}: {message}", arguments.words());
-        output
+        ended(0, arguments, "").0
+    }
+
+    /// A text has all these words.
+    #[track_caller]
+    pub(crate) fn tells<W: AsRef<str>>(text: &str, words: impl IntoIterator<Item = W>) {
+        for words in words {
+            assert!(text.contains(words.as_ref()), "no '{}' in: {text}", words.as_ref());
+        }
     }
 
     /// What a command prints as JSON.
@@ -140,12 +160,16 @@ mod whole {
         csv::Reader::from_reader(csv.as_ref()).deserialize().map(Result::unwrap).collect()
     }
 
+    /// The first line of what a command makes of an input.
+    pub(crate) fn header(arguments: impl Words, input: impl AsRef<[u8]>) -> String {
+        text(&fed(arguments, input).stdout).lines().next().unwrap().to_owned()
+    }
+
     /// The program refuses its arguments or its input: exit code 2, nothing on standard output, and one
     /// line that holds the words.
     pub(crate) fn refused(arguments: impl Words, input: &str, words: &str) {
-        let (code, output, message) = said(&fed(&arguments, input));
+        let (output, message) = ended(2, &arguments, input);
         let arguments = arguments.words();
-        assert_eq!(code, Some(2), "{arguments:?}: {message}");
         assert_eq!(message.lines().count(), 1, "{arguments:?}: {message}");
         assert!(message.starts_with("couplet: "), "{arguments:?}: {message}");
         assert!(message.contains(words), "{arguments:?}: {message}");
@@ -171,6 +195,11 @@ mod whole {
 
         pub(crate) fn read(&self, name: &str) -> String {
             std::fs::read_to_string(self.path(name)).unwrap()
+        }
+
+        /// The JSON in a file of it.
+        pub(crate) fn json(&self, name: &str) -> Value {
+            serde_json::from_str(&self.read(name)).unwrap()
         }
 
         pub(crate) fn write(&self, name: &str, content: impl AsRef<[u8]>) {
