@@ -5,7 +5,7 @@ mod bodies;
 mod file;
 
 use crate::hard::config;
-use crate::program::{Scratch, fed, json, printed, refused, text};
+use crate::program::{Json, Scratch, ended, json, object, printed, refused, texts};
 use crate::voussoirs::Programme;
 use couplet::problem::Mode;
 use couplet::strategies::{Assembly, Margin, Near, assemblies, assembly};
@@ -16,10 +16,8 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 /// Assemblies of every kind, as the command writes them.
-static DRAWN: LazyLock<Vec<Value>> = LazyLock::new(|| {
-    let all = ["sample", "--assemblies", "--count", "64", "--format", "json"];
-    json(all).as_array().unwrap().clone()
-});
+static DRAWN: LazyLock<Vec<Value>> =
+    LazyLock::new(|| object("sample --assemblies --count 64").list().to_vec());
 
 /// Verdict of the programme over all joints.
 fn programme_says(of: &Assembly) -> bool {
@@ -55,17 +53,12 @@ proptest! {
 /// Both weights, all modes, both ways of measuring, both thresholds, and 2 to 60 stones.
 #[test]
 fn every_kind_is_drawn() {
-    let kinds = |key: &str| -> BTreeSet<String> {
-        DRAWN.iter().map(|question| question[key].to_string()).collect()
-    };
-    let of = |names: &[&str]| -> BTreeSet<String> {
-        names.iter().map(|name| format!("\"{name}\"")).collect()
-    };
-    assert_eq!(kinds("weight"), of(&["heyman", "milankovitch"]));
-    assert_eq!(kinds("unit"), of(&["m", "r"]));
-    assert_eq!(kinds("near"), of(&Near::ALL.map(Near::name)));
-    let modes: Vec<&str> = Mode::ALL.iter().map(|mode| mode.label()).collect();
-    assert!(kinds("mode").is_superset(&of(&modes)), "{:?}", kinds("mode"));
+    let kinds = |key| texts(&DRAWN, key).into_iter().collect::<BTreeSet<&str>>();
+    assert_eq!(kinds("weight"), BTreeSet::from(["heyman", "milankovitch"]));
+    assert_eq!(kinds("unit"), BTreeSet::from(["m", "r"]));
+    assert_eq!(kinds("near"), BTreeSet::from_iter(Near::ALL.map(Near::name)));
+    let modes = Mode::ALL.iter().map(|mode| mode.label()).collect();
+    assert!(kinds("mode").is_superset(&modes), "{:?}", kinds("mode"));
     let stones = DRAWN.iter().map(|question| question["stones"].as_u64().unwrap());
     assert_eq!(stones.clone().min(), Some(2));
     assert!(stones.max().is_some_and(|most| (30..=60).contains(&most)));
@@ -81,14 +74,14 @@ fn bodies_and_proofs_hold_from_the_file_alone() {
 /// A flipped verdict, a vertex, a weight or a centroid that is moved, and another state or bound are seen.
 #[test]
 fn what_is_spoiled_is_seen() {
-    let add = |value: &mut Value, by: f64| *value = json!(value.as_f64().unwrap() + by);
+    let add = |value: &mut Value, by: f64| *value = json!(value.number() + by);
     for question in DRAWN.iter().take(32) {
         let spoiled = |spoil: &dyn Fn(&mut Value)| {
             let mut twin = question.clone();
             spoil(&mut twin);
             fault(&twin)
         };
-        let by = 1e-6 * question["radius"].as_f64().unwrap();
+        let by = 1e-6 * question["radius"].number();
         let stands = question["stands"].as_bool().unwrap();
         assert!(spoiled(&|of| of["stands"] = json!(!stands)).is_some());
         assert!(spoiled(&|of| add(&mut of["blocks"][1]["polygon"][2][0], by)).is_some());
@@ -96,17 +89,12 @@ fn what_is_spoiled_is_seen() {
         assert!(spoiled(&|of| add(&mut of["joints"][1][0][1], by)).is_some());
         assert!(spoiled(&|of| add(&mut of["blocks"][0]["weight"], by)).is_some());
         assert!(spoiled(&|of| add(&mut of["blocks"][1]["centroid"][1], by)).is_some());
-        let wrong = json!("2");
+        let proof = |spoil: &dyn Fn(&mut Value)| spoiled(&|of| spoil(&mut of["proof"])).is_some();
         match stands {
-            true => assert!(spoiled(&|of| of["proof"]["moment"] = wrong.clone()).is_some()),
+            true => assert!(proof(&|of| of["moment"] = json!("2"))),
             false => {
-                assert!(
-                    spoiled(&|of| of["proof"]["needed"] = of["proof"]["borne"].clone()).is_some()
-                );
-                assert!(
-                    spoiled(&|of| of["proof"]["borne"]["thrust"]["value"] = wrong.clone())
-                        .is_some()
-                );
+                assert!(proof(&|of| of["needed"] = of["borne"].clone()));
+                assert!(proof(&|of| of["borne"]["thrust"]["value"] = json!("2")));
             }
         }
     }
@@ -117,33 +105,23 @@ fn what_is_spoiled_is_seen() {
 #[test]
 fn a_judge_tells_the_margin_from_which_verdicts_are_right() {
     let margins = ["0.1%", "1%", "5%", "20%"];
-    let drawn = json([
-        "sample",
-        "--assemblies",
-        "--count",
-        "16",
-        "--margin",
-        &margins.join(","),
-        "--format",
-        "json",
-    ]);
-    let drawn = drawn.as_array().unwrap();
+    let drawn = object(format!("sample --assemblies --count 16 --margin {}", margins.join(",")));
+    let drawn = drawn.list();
     assert_eq!(drawn.len(), 2 * 16 * margins.len());
     let mut rows = "program,id,stands\n".to_owned();
     for of in drawn {
         assert_eq!(fault(of), None, "{}", of["id"]);
-        let safety: f64 = of["safety"]["value"].as_str().unwrap().parse().unwrap();
-        let margin: f64 = of["margin"].as_str().unwrap().trim_end_matches('%').parse().unwrap();
+        let safety = of["safety"].number();
+        let margin: f64 = of["margin"].text().trim_end_matches('%').parse().unwrap();
         assert!(((safety - 1.0).abs() - margin / 100.0).abs() < 2e-5, "{}", of["id"]);
-        let (id, stands) = (of["id"].as_str().unwrap(), of["stands"].as_bool().unwrap());
+        let (id, stands) = (of["id"].text(), of["stands"].as_bool().unwrap());
         rows += &format!("exact,{id},{stands}\nrash,{id},{}\n", stands || margin < 2.0);
         let shy = if margin < 2.0 { String::new() } else { stands.to_string() };
         rows += &format!("shy,{id},{shy}\n");
     }
-    let judged = |rows: &str| fed("judge - --assemblies --format csv", rows);
-    let output = judged(&rows);
-    assert_eq!(output.status.code(), Some(1));
-    let lines: Vec<String> = text(&output.stdout).lines().map(str::to_owned).collect();
+    let judged = |code, rows: &str| ended(code, "judge - --assemblies --format csv", rows);
+    let (table, _) = judged(1, &rows);
+    let lines: Vec<&str> = table.lines().collect();
     let expected = [
         "program,margin,right,unsafe,safe,open,right_from",
         "exact,0.1%,32,0,0,0,0.1%",
@@ -157,27 +135,14 @@ fn a_judge_tells_the_margin_from_which_verdicts_are_right() {
         "shy,0.1%,0,0,0,32,5%",
     ];
     assert_eq!(lines[..expected.len()], expected);
-    let right = judged("{\"id\": \"001-below\", \"stands\": false}\n");
-    assert_eq!(right.status.code(), Some(0), "{}", text(&right.stderr));
-    for (rows, why) in [
-        ("id,stands\n001-beside,true\n", "'001-beside' is no id"),
-        ("id,stands\n001-above-99%,true\n", "'001-above-99%' is no id"),
-        ("id,stands\n001-above,perhaps\n", "'perhaps' does not say"),
-        ("name,stands\n1,true\n", "the id is missing"),
-        ("id,answer\n001-above,true\n", "name one, --columns theirs=stands"),
-    ] {
-        let output = judged(rows);
-        assert_eq!(output.status.code(), Some(2));
-        assert!(text(&output.stderr).contains(why), "{}", text(&output.stderr));
-    }
-    refused("sample --assemblies --margin 60%", "", "from 0.01% to 50%");
+    judged(0, "{\"id\": \"001-below\", \"stands\": false}\n");
 }
 
 /// The command beside a question proves the same verdict, and its threshold.
 #[test]
 fn the_commands_prove_the_verdicts_again() {
     for question in DRAWN.iter().take(32) {
-        let command = question["command"].as_str().unwrap();
+        let command = question["command"].text();
         let mut words: Vec<&str> = command.split(' ').skip(1).collect();
         words.extend(["--format", "json", "--digits", "30"]);
         let found = json(&words);
@@ -187,11 +152,8 @@ fn the_commands_prove_the_verdicts_again() {
             Some("friction") => &assessed["required_friction"],
             _ => &found["thickness"],
         };
-        let close = |a: &Value, b: &Value| {
-            let double = |x: &Value| x["value"].as_str().unwrap().parse::<f64>().unwrap();
-            (double(a) / double(b) - 1.0).abs() < 1e-11
-        };
-        assert!(close(threshold, &question["threshold"]), "{command}: {threshold}");
+        let ratio = threshold.number() / question["threshold"].number();
+        assert!((ratio - 1.0).abs() < 1e-11, "{command}: {threshold}");
     }
 }
 
@@ -202,9 +164,9 @@ fn a_seed_draws_the_same_rows() {
     assert_eq!((first.lines().count(), &first), (19, &csv("1")));
     assert_ne!(first, csv("2"));
     for (row, question) in first.lines().skip(1).zip(DRAWN.iter()) {
-        let id = question["id"].as_str().unwrap();
+        let id = question["id"].text();
         assert!(row.starts_with(&format!("{id},{},", question["stands"])), "{row}");
-        assert!(row.ends_with(question["command"].as_str().unwrap()), "{row}");
+        assert!(row.ends_with(question["command"].text()), "{row}");
     }
 }
 
@@ -218,9 +180,8 @@ fn bodies_are_files_of_a_folder() {
         let names = ["001-above", "001-below", "002-above", "002-below"];
         let names = names.map(|name| format!("{name}.{format}")).to_vec();
         assert_eq!(scratch.files(format), [&names[..], &["assemblies.json".to_owned()]].concat());
-        let answers: Value =
-            serde_json::from_str(&scratch.read(&format!("{format}/assemblies.json"))).unwrap();
-        assert_eq!(answers.as_array().unwrap()[..], DRAWN[..4]);
+        let answers = scratch.json(&format!("{format}/assemblies.json"));
+        assert_eq!(answers.list()[..], DRAWN[..4]);
         for (name, question) in names.iter().zip(DRAWN.iter()) {
             let file = scratch.read(&format!("{format}/{name}"));
             assert_eq!(bodies::fault(format, &file, question), None, "{name}");
@@ -234,6 +195,5 @@ fn bodies_are_files_of_a_folder() {
 
 #[test]
 fn what_makes_no_sense_is_one_line() {
-    let none = ["sample", "--assemblies", "--count", "0", "--format", "json"];
-    assert_eq!(json(none), json!([]));
+    assert_eq!(object("sample --assemblies --count 0"), json!([]));
 }

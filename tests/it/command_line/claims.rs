@@ -1,7 +1,7 @@
 //! `couplet prove`.
 
-use crate::program::{Scratch, command, couplet, object, printed, refused, said};
-use serde_json::Value;
+use crate::program::{Json, Scratch, command, ended, object, printed, says, tells};
+use serde_json::{Value, json};
 use std::sync::LazyLock;
 
 /// Every claim with its derivation: all are decided once, for the tests together.
@@ -11,7 +11,7 @@ static CLAIMS: LazyLock<Value> = LazyLock::new(|| object("prove --show"));
 fn claims_are_decided_and_a_misprint_is_no_failure() {
     let file = &*CLAIMS;
     assert_eq!(file["schema"], "couplet.claims/3");
-    let claims = file["claims"].as_array().unwrap();
+    let claims = file["claims"].list();
     assert!(claims.len() >= 30);
     for claim in claims {
         // Five are refuted as printed, and none is undecided.
@@ -22,12 +22,9 @@ fn claims_are_decided_and_a_misprint_is_no_failure() {
     assert_eq!(claim("eq-8")["as_printed"], "proved");
     assert_eq!(claim("eq-2-4-imply-3")["as_printed"], "not stated");
     let misprint = claim("eq-16");
-    assert_eq!(
-        (&misprint["as_printed"], &misprint["verdict"]),
-        (&"refuted".into(), &"refuted".into())
-    );
-    assert!(misprint["counterexample"].as_str().unwrap().contains("7−4√3 is not 0"));
-    assert!(misprint["corrected"].as_str().unwrap().contains("delta_M eta/6"));
+    says(misprint, json!({"as_printed": "refuted", "verdict": "refuted"}));
+    assert!(misprint["counterexample"].text().contains("7−4√3 is not 0"));
+    assert!(misprint["corrected"].text().contains("delta_M eta/6"));
     assert!(misprint.get("derivation").is_some());
     let without = object("prove eq-16");
     assert!(without["claims"][0].get("derivation").is_none(), "only where it is asked for");
@@ -37,11 +34,11 @@ fn claims_are_decided_and_a_misprint_is_no_failure() {
 /// that fewer join, and the pages say how many there are of each.
 #[test]
 fn how_much_rests_on_words_is_told() {
-    let claims = CLAIMS["claims"].as_array().unwrap();
+    let claims = CLAIMS["claims"].list();
     let words = |claim: &Value, support: &str| -> usize {
-        let steps = claim["derivation"].as_array().unwrap();
+        let steps = claim["derivation"].list();
         let steps = steps.iter().filter(|step| step["support"] == support);
-        steps.map(|step| step["words"].as_str().unwrap().split_whitespace().count()).sum()
+        steps.map(|step| step["words"].text().split_whitespace().count()).sum()
     };
     let [mut own, mut joined] = [0, 0];
     for claim in claims {
@@ -56,9 +53,8 @@ fn how_much_rests_on_words_is_told() {
         let claim = claims.iter().find(|claim| claim["id"] == id).unwrap();
         assert_eq!(claim["argument"], "own", "{id}");
     }
-    let last = format!(
-        "; {own} by an argument in words, {beneath} resting on one; {joined} joined by sentences"
-    );
+    let argued = format!("{own} by an argument in words, {beneath} resting on one");
+    let last = format!("; {argued}; {joined} joined by sentences");
     let text = printed("prove");
     assert!(text.trim_end().ends_with(&last), "{last}: {}", text.lines().last().unwrap());
     let told = format!("{own} claims are carried by an argument in words, {beneath} rest on one");
@@ -69,16 +65,16 @@ fn how_much_rests_on_words_is_told() {
 #[test]
 fn what_may_be_read_otherwise_is_no_refutation() {
     let file = object("prove --index");
-    let sentences = file["sentences"].as_array().unwrap();
+    let sentences = file["sentences"].list();
     let of = |id: &str| {
-        let bears = |of: &&Value| of["claims"].as_array().unwrap().iter().any(|c| c["id"] == *id);
+        let bears = |of: &&Value| of["claims"].list().iter().any(|c| c["id"] == *id);
         sentences.iter().filter(bears).collect::<Vec<_>>()
     };
     for id in ["equations-five", "unique-asymmetric"] {
         assert!(!of(id).is_empty());
         for sentence in of(id) {
             assert_eq!(sentence["verdict"], "opinion", "{sentence}");
-            assert!(sentence["reason"].as_str().unwrap().len() > 20, "{sentence}");
+            assert!(sentence["reason"].text().len() > 20, "{sentence}");
         }
     }
 }
@@ -87,27 +83,29 @@ fn what_may_be_read_otherwise_is_no_refutation() {
 fn a_derivation_can_be_followed() {
     let text = printed("prove eq-7 --show");
     assert!(!text.contains("in words"));
-    for line in [
-        "S delta eta^3 + 3 (f + g) eta^2 - 12 (g - S) eta - 12 (f - g)",
-        "let    cofactor u of P",
-        "given  S != 0, 2 - eta != 0",
-        "4 claims: 3 proved as printed, 1 proved, not stated in the paper; 1 joined by sentences",
-    ] {
-        assert!(text.contains(line), "{line}");
-    }
+    tells(
+        &text,
+        [
+            "S delta eta^3 + 3 (f + g) eta^2 - 12 (g - S) eta - 12 (f - g)",
+            "let    cofactor u of P",
+            "given  S != 0, 2 - eta != 0",
+            "4 claims: 3 proved as printed, 1 proved, not stated in the paper; 1 joined by sentences",
+        ],
+    );
     let text =
         printed("prove unique-attained map-columns eq-9-11-signs survey-safety survey-worst");
-    for line in [
-        "by checks and theorems of Coq",
-        "by checks and an argument in words",
-        "by checks, theorems of Coq and an argument in words",
-        "by checks, theorems of Coq and claims that rest on an argument",
-        "; 3 by theorems of Coq; 3 by an argument in words, 1 resting on one; ",
-    ] {
-        assert!(text.contains(line), "{line}");
-    }
+    tells(
+        &text,
+        [
+            "by checks and theorems of Coq",
+            "by checks and an argument in words",
+            "by checks, theorems of Coq and an argument in words",
+            "by checks, theorems of Coq and claims that rest on an argument",
+            "; 3 by theorems of Coq; 3 by an argument in words, 1 resting on one; ",
+        ],
+    );
     let file = object("prove eq-8 --show");
-    let steps = file["claims"][0]["derivation"].as_array().unwrap();
+    let steps = file["claims"][0]["derivation"].list();
     assert!(steps.iter().all(|step| step["support"] == "algebra"));
     let document = printed("prove eq-7-eta --show --format latex");
     assert!(document.starts_with("\\documentclass") && document.ends_with("\\end{document}\n"));
@@ -152,26 +150,22 @@ fn certificates_become_theorems() {
     let (one, other) = (certificate("one.json", "0.5"), certificate("other.json", "0.6"));
     let folder = scratch.path("coq");
     let made = printed(["prove", "--coq", &folder, "--certificate", &one, &other]);
-    assert_eq!(
-        made,
-        ["", "2"].map(|n| format!("{folder}/StateRotationalMilankovitch{n}.v\n")).concat()
-    );
-    let first = scratch.read("coq/StateRotationalMilankovitch.v");
-    let second = scratch.read("coq/StateRotationalMilankovitch2.v");
-    let given = |mu: &str| format!("(Coefficient (Fraction {mu}))");
-    assert!(first.contains(&given("1 2")) && second.contains(&given("3 5")));
+    let names = ["", "2"].map(|n| format!("StateRotationalMilankovitch{n}.v"));
+    assert_eq!(made, names.each_ref().map(|name| format!("{folder}/{name}\n")).concat());
+    for (name, mu) in names.iter().zip(["1 2", "3 5"]) {
+        let given = format!("(Coefficient (Fraction {mu}))");
+        tells(&scratch.read(&format!("coq/{name}")), [given]);
+    }
     scratch.write("bad.json", scratch.read("one.json").replace("1/2 pi", "2/5 pi"));
     let bad = scratch.path("bad.json");
     for (file, code, reason) in
         [(&bad, 2, "refused: unique"), (&scratch.path("none.json"), 3, "cannot read")]
     {
         let empty = scratch.path("empty");
-        let (found, output, message) =
-            said(&couplet(["prove", "--coq", &empty, "--certificate", &one, file]));
-        assert_eq!((found, output.as_str()), (Some(code), ""), "{message}");
+        let asked = ["prove", "--coq", &empty, "--certificate", &one, file];
+        let (output, message) = ended(code, asked, "");
+        assert_eq!(output, "");
         assert!(message.contains(reason) && message.lines().count() == 1, "{message}");
         assert!(!std::path::Path::new(&empty).exists());
     }
-    refused(["prove", "--certificate", &one], "", "--coq");
-    refused(["prove", "--coq", &folder], "", "--certificate");
 }

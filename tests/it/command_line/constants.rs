@@ -1,12 +1,12 @@
 //! `couplet constants` and `couplet audit`.
 
 use super::exact;
-use crate::program::{object, printed};
+use crate::program::{Json, object, printed, says, tells};
 use couplet::number::Decimal;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 fn entry<'a>(file: &'a Value, list: &str, keys: &[(&str, &str)]) -> &'a Value {
-    let all = file[list].as_array().unwrap();
+    let all = file[list].list();
     all.iter().find(|e| keys.iter().all(|(key, value)| e[*key] == **value)).unwrap()
 }
 
@@ -14,16 +14,17 @@ fn entry<'a>(file: &'a Value, list: &str, keys: &[(&str, &str)]) -> &'a Value {
 fn the_default_table_has_every_landmark_proved() {
     let text = printed("constants");
     assert_eq!(text.matches("proved: one solution").count(), 14);
-    for line in [
-        "0.618318241074323446374432256517",
-        "0.679604732098885514787534896210",
-        "= 2(2√3−3)",
-        "= √3−1",
-        "= 2/3",
-        "inf",
-    ] {
-        assert!(text.contains(line), "{line}");
-    }
+    tells(
+        &text,
+        [
+            "0.618318241074323446374432256517",
+            "0.679604732098885514787534896210",
+            "= 2(2√3−3)",
+            "= √3−1",
+            "= 2/3",
+            "inf",
+        ],
+    );
 }
 
 #[test]
@@ -32,10 +33,8 @@ fn json_is_stable_and_its_bounds_enclose() {
     assert_eq!(file["schema"], "couplet.constants/1");
     assert_eq!(file["digits"], 25);
     let more = object("constants --digits 60");
-    let (few, many) =
-        (file["constants"].as_array().unwrap(), more["constants"].as_array().unwrap());
-    assert_eq!(few.len(), many.len());
-    assert_eq!(few.len(), 2 * (6 * 13 + 8));
+    let [few, many] = [&file, &more].map(|file| file["constants"].list());
+    assert_eq!([few.len(), many.len()], [2 * (6 * 13 + 8); 2]);
     for (few, many) in few.iter().zip(many) {
         for key in ["weight", "landmark", "quantity", "exact"] {
             assert_eq!(few[key], many[key]);
@@ -44,21 +43,19 @@ fn json_is_stable_and_its_bounds_enclose() {
             assert_eq!(few["exact"], "inf");
             continue;
         }
-        let (lower, value, upper) =
-            (exact(&few["lower"]), exact(&few["value"]), exact(&few["upper"]));
+        let [lower, value, upper] = ["lower", "value", "upper"].map(|end| exact(&few[end]));
         let truth = exact(&many["value"]);
         assert!(lower <= truth && truth <= upper, "{few} {many}");
         let unit = upper.clone() - &lower;
         assert!((value.clone() - truth).abs() * 2 <= unit, "correctly rounded: {few}");
         assert!(value == lower || value == upper);
-        let digits =
-            few["value"].as_str().unwrap().parse::<Decimal>().unwrap().significant_digits();
+        let digits = few["value"].text().parse::<Decimal>().unwrap().significant_digits();
         assert!(digits == 25 || few["exact"] != Value::Null, "{few}");
     }
-    for proof in file["proofs"].as_array().unwrap() {
+    for proof in file["proofs"].list() {
         assert_eq!(proof["verdict"], "proved");
         for radius in proof["box_relative_radius"].as_object().unwrap().values() {
-            assert!(radius.as_f64().unwrap() > 1e-3, "a macroscopic box: {proof}");
+            assert!(radius.number() > 1e-3, "a macroscopic box: {proof}");
         }
     }
 }
@@ -66,10 +63,10 @@ fn json_is_stable_and_its_bounds_enclose() {
 #[test]
 fn landmarks_and_weights_are_selected() {
     let file = object("constants T B --weight milankovitch --digits 1000");
-    let constants = file["constants"].as_array().unwrap();
+    let constants = file["constants"].list();
     assert_eq!(constants.len(), 26);
     let thickness = entry(&file, "constants", &[("landmark", "T"), ("quantity", "thickness")]);
-    let text = thickness["value"].as_str().unwrap();
+    let text = thickness["value"].text();
     assert!(text.starts_with("0.61831824107432344637443225651706527335"));
     assert_eq!(text.len(), 1002);
     let border = entry(&file, "constants", &[("landmark", "B"), ("quantity", "thickness")]);
@@ -93,10 +90,11 @@ fn the_audit_finds_what_the_tables_got_wrong() {
         entry(&file, "printed", &[("place", place), ("landmark", landmark), ("quantity", quantity)])
     };
     let thickness = number("Table 1", "T", "thickness");
-    assert_eq!(thickness["printed"], "0.6796047320988860");
-    assert_eq!(thickness["error_units"], "4.85");
-    assert_eq!(thickness["correct_digits"], 15);
-    assert_eq!(thickness["verdict"], "wrong");
+    let expected = json!({
+        "printed": "0.6796047320988860", "error_units": "4.85", "correct_digits": 15,
+        "verdict": "wrong",
+    });
+    says(thickness, expected);
     assert_eq!(number("Table 2", "J", "sliding_joint")["verdict"], "correctly rounded");
     assert_eq!(number("Table 1", "T", "friction")["verdict"], "faithful");
     assert_eq!(number("Table 4", "l", "A")["verdict"], "correctly rounded");

@@ -1,7 +1,6 @@
 //! `couplet states` of many rows of one half opening, which share its proofs; and of some quantities alone.
 
-use super::stdout;
-use crate::program::{fed, lines};
+use crate::program::{header, lines};
 use serde_json::Value;
 
 /// Two half openings of each kind: that rotate, that overturn, that fall whatever the friction.
@@ -40,9 +39,9 @@ fn only_what_is_asked_for_is_there() {
     let input = grid(&["0.1", "1.35"]);
     let (all, some) = (answers("", &input), answers("--quantity eta", &input));
     for (all, some) in all.iter().zip(&some) {
-        for key in
-            ["half_opening", "friction", "verdict", "can_stand", "mode", "thickness", "reason"]
-        {
+        let same =
+            ["half_opening", "friction", "verdict", "can_stand", "mode", "thickness", "reason"];
+        for key in same {
             assert_eq!(all[key], some[key], "{key}");
         }
         for key in ["thrust", "sliding_friction", "rotational_friction", "enough"] {
@@ -50,10 +49,7 @@ fn only_what_is_asked_for_is_there() {
         }
     }
     assert!(all.iter().any(|row| row["enough"].is_object()));
-    let header = |arguments: &str, input: &str| {
-        let output = fed(format!("states --digits 5 {arguments}"), input);
-        stdout(&output).lines().next().unwrap().to_owned()
-    };
+    let header = |asked: &str, input: &str| header(format!("states --digits 5 {asked}"), input);
     let names = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,thickness,reason,note,line,error";
     for asked in ["--quantity thrust,thickness", "--quantities h,eta,h"] {
         assert!(header(asked, &input).starts_with(names), "{}", header(asked, &input));

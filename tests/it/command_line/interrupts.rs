@@ -78,10 +78,8 @@ fn whatever_ends_a_writer_leaves_nothing_half_written() {
             assert!(left.is_empty(), "{arguments:?} {signal} leaves {left:?}");
             // What is not whole is not there at all.
             let (there, folders) = (scratch.files("."), ["plan.toml", "scene.toml", "there", "o"]);
-            assert!(
-                there.iter().all(|name| folders.contains(&&name[..])),
-                "{arguments:?}: {there:?}"
-            );
+            let is_known = |name: &String| folders.contains(&&name[..]);
+            assert!(there.iter().all(is_known), "{arguments:?}: {there:?}");
             assert!(scratch.files("there").is_empty() && scratch.files("o/new").is_empty());
         }
     }

@@ -17,7 +17,7 @@ mod rows;
 mod states;
 mod study;
 
-use crate::program::{couplet, text};
+use crate::program::{Json, text};
 use couplet::number::Decimal;
 use rug::Rational;
 use serde_json::Value;
@@ -28,15 +28,5 @@ fn stdout(output: &Output) -> String {
 }
 
 fn exact(text: &Value) -> Rational {
-    text.as_str().unwrap().parse::<Decimal>().unwrap().to_rational()
-}
-
-#[test]
-fn help_goes_to_standard_output() {
-    for arguments in ["--help", "constants --help", "audit --help", "--version"] {
-        let output = couplet(arguments);
-        assert_eq!(output.status.code(), Some(0), "{arguments}");
-        assert!(output.stderr.is_empty() && !output.stdout.is_empty());
-    }
-    assert_eq!(couplet("").status.code(), Some(2));
+    text.text().parse::<Decimal>().unwrap().to_rational()
 }

@@ -1,9 +1,9 @@
 //! A question that makes sense is answered as it is asked; what may have been meant otherwise is remarked on.
 
-use crate::program::{couplet, said};
+use crate::program::ended;
 
-fn asked(line: &str) -> (Option<i32>, String, String) {
-    said(&couplet(line))
+fn noted(line: &str) -> String {
+    ended(0, line, "").1
 }
 
 /// At every door of the command that reads a friction, once.
@@ -21,19 +21,17 @@ fn a_large_coefficient_may_have_been_an_angle() {
         "map --friction 15 --tolerance 1e-2",
         "map --bare --mark 80deg,15 --mark 70deg,15 --tolerance 1e-1 --format svg",
     ] {
-        let (code, printed, noted) = asked(line);
-        assert_eq!(code, Some(0), "{line}: {noted}");
+        let (printed, noted) = ended(0, line, "");
         let note =
             "couplet: the friction 15 is a coefficient; an angle of 15 degrees is written 15deg\n";
         assert_eq!(noted, note, "{line}");
         assert!(!printed.is_empty());
     }
     for friction in ["15deg", "inf", "4", "tan(80deg)", "31deg"] {
-        let (code, _, noted) =
-            asked(&format!("state --half-opening 80deg --friction {friction} --digits 3"));
-        assert_eq!((code, noted.as_str()), (Some(0), ""), "{friction}");
+        let line = format!("state --half-opening 80deg --friction {friction} --digits 3");
+        assert_eq!(noted(&line), "", "{friction}");
     }
-    let (_, _, noted) = asked("state --half-opening 80deg --friction 120 --digits 3");
+    let noted = noted("state --half-opening 80deg --friction 120 --digits 3");
     assert!(noted.ends_with("an angle is written with its unit, 31deg\n"), "{noted}");
 }
 
@@ -42,30 +40,12 @@ fn a_large_tilt_may_have_been_an_angle() {
     let arch = "assess --half-opening 80deg --friction 0.6 --thickness 0.1 --digits 3 --tilt";
     let stones = "voussoirs --stones 5 --half-opening 80deg --friction 0.6 --thickness 0.1 --digits 3 --tilt";
     for command in [arch, stones] {
-        let (code, _, noted) = asked(&format!("{command} 5"));
         let note =
             "couplet: the tilt 5 is 5 times gravity; an angle of 5 degrees is written 5deg\n";
-        assert_eq!((code, noted.as_str()), (Some(0), note));
+        assert_eq!(noted(&format!("{command} 5")), note);
         for tilt in ["5deg", "1"] {
-            let (_, _, noted) = asked(&format!("{command} {tilt}"));
-            assert_eq!(noted, "", "{tilt}");
+            assert_eq!(noted(&format!("{command} {tilt}")), "", "{tilt}");
         }
-    }
-}
-
-/// Bad input stays one line.
-#[test]
-fn what_is_refused_has_no_note() {
-    for line in [
-        "assess --half-opening 80deg --friction 15 --thickness 3",
-        "assess --half-opening 80deg --friction 15 --thickness 0.1 --tilt -5",
-        "state --half-opening 80deg --friction 15 --quantity weight_kn",
-        "find friction --friction 15",
-        "map --friction 15 --bare --format csv",
-    ] {
-        let (code, _, error) = asked(line);
-        assert_eq!((code, error.lines().count()), (Some(2), 1), "{line}: {error}");
-        assert!(!error.contains("is a coefficient"), "{error}");
     }
 }
 
@@ -85,13 +65,11 @@ fn what_is_given_twice_counts_once() {
         ("prove --list eq-16", "eq-16", "eq-16"),
         ("state --alpha 1 --mu 1 --digits 3 --quantity thickness", "--quantity eta", "thickness"),
     ] {
-        let (code, printed, noted) = asked(&format!("{once} {twice}"));
-        assert_eq!(code, Some(0), "{twice}: {noted}");
-        let (_, alone, quiet) = asked(once);
-        assert_eq!((printed, quiet.as_str()), (alone, ""), "{twice}");
+        let (printed, noted) = ended(0, format!("{once} {twice}"), "");
+        assert_eq!(ended(0, once, ""), (printed, String::new()), "{twice}");
         let note = format!("couplet: {note} is given twice and counts once\n");
         assert!(noted.starts_with(&note), "{noted}");
     }
-    let (_, _, noted) = asked("map --bare --mark 1,1 --mark 1,1 --tolerance 1e-1 --format svg");
-    assert_eq!(noted, "couplet: the mark 1,1 is given twice and counts once\n");
+    let twice = "map --bare --mark 1,1 --mark 1,1 --tolerance 1e-1 --format svg";
+    assert_eq!(noted(twice), "couplet: the mark 1,1 is given twice and counts once\n");
 }

@@ -1,7 +1,6 @@
 //! `couplet states --ranges`: rows of which each is about all arches between its ends.
 
-use super::stdout;
-use crate::program::{fed, lines, of_lines, rows, text};
+use crate::program::{Json, ended, fed, lines, of_lines, rows, tells};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,7 +13,7 @@ fn table(arguments: &str, input: &str) -> Vec<BTreeMap<String, String>> {
 }
 
 fn end<'a>(row: &'a Value, quantity: &str, end: &str) -> &'a Value {
-    let all = row["ranges"].as_array().unwrap();
+    let all = row["ranges"].list();
     &all.iter().find(|range| range["quantity"] == quantity).unwrap()[end]["value"]
 }
 
@@ -35,22 +34,20 @@ fn a_table_has_the_ends_that_the_objects_have() {
     assert!(!names.iter().any(|name| *name == "least_thickness"), "{names:?}");
     let outcomes: BTreeSet<&str> =
         objects.iter().filter_map(|row| row["outcome"].as_str()).collect();
-    assert_eq!(
-        Vec::from_iter(outcomes),
-        ["all_can_stand", "all_stand", "both_occur", "none_can_stand", "none_stands"]
-    );
+    let all = ["all_can_stand", "all_stand", "both_occur", "none_can_stand", "none_stands"];
+    assert_eq!(outcomes, BTreeSet::from(all));
     let mut told = 0;
     for (row, cells) in objects.iter().zip(&cells) {
         assert_eq!(row["outcome"].as_str(), Some(&*cells["outcome"]));
         assert_eq!(cells["verdict"], "proved");
-        for range in row["ranges"].as_array().unwrap() {
-            let name = range["quantity"].as_str().unwrap();
+        for range in row["ranges"].list() {
+            let name = range["quantity"].text();
             for side in ["lower", "upper"] {
                 let cell = &cells[&format!("{name}_{side}")];
-                let expected = match range[side]["bound"].as_str().unwrap() {
+                let expected = match range[side]["bound"].text() {
                     "unbounded" => "inf",
                     "not_enough" => "",
-                    _ => range[side]["value"].as_str().unwrap(),
+                    _ => range[side]["value"].text(),
                 };
                 assert_eq!(cell, expected, "{name}_{side} of {cells:?}");
                 told += 1;
@@ -59,18 +56,15 @@ fn a_table_has_the_ends_that_the_objects_have() {
     }
     assert!(told > 50, "{told}");
     let unlimited = &cells[2];
-    assert_eq!(
-        (&*unlimited["friction"], &*unlimited["friction_safety_upper"]),
-        ("0.5..inf", "inf")
-    );
+    assert_eq!(unlimited["friction"], "0.5..inf");
+    assert_eq!(unlimited["friction_safety_upper"], "inf");
     let measured = &cells[4];
     assert_eq!(measured["thickness"], "14cm..16cm");
     assert!(measured["half_opening"].starts_with("2atan("), "{measured:?}");
     assert!(!measured["least_thickness_m_upper"].is_empty());
     let states = table("", "alpha,mu\n1,1\n");
-    assert!(
-        states[0].contains_key("thrust_upper") && !states[0].contains_key("least_thrust_upper")
-    );
+    let has = |name: &str| states[0].contains_key(name);
+    assert!(has("thrust_upper") && !has("least_thrust_upper"));
     let chosen = table("--quantity thickness", ROWS);
     assert_eq!(chosen[0]["least_thickness_upper"], cells[0]["least_thickness_upper"]);
     assert!(!chosen[0].contains_key("geometric_safety_lower"));
@@ -88,8 +82,8 @@ fn a_range_of_one_value_is_answered_as_the_point_is() {
     for ranged in [objects("", points), objects("", &same)] {
         let mut compared = 0;
         for (one, ranged) in alone.iter().zip(&ranged) {
-            for range in ranged["ranges"].as_array().unwrap() {
-                let name = match range["quantity"].as_str().unwrap() {
+            for range in ranged["ranges"].list() {
+                let name = match range["quantity"].text() {
                     "least_thickness" if one["stands"].is_null() => "thickness",
                     name => name,
                 };
@@ -104,7 +98,7 @@ fn a_range_of_one_value_is_answered_as_the_point_is() {
                 }
             }
             let stands = one["stands"].as_bool().or(one["can_stand"].as_bool()).unwrap();
-            let outcome = ranged["outcome"].as_str().unwrap();
+            let outcome = ranged["outcome"].text();
             assert_eq!(outcome.starts_with("all"), stands, "{ranged}");
         }
         assert!(compared > 40, "{compared}");
@@ -116,39 +110,32 @@ fn a_bad_row_is_told_in_its_row() {
     let input = "weight,alpha,mu,eta,id\n,1..1.1,0.7..0.6,0.1,a\n,1..,0.6,0.1,b\n,..,0.6,0.1,c\n\
         ,1..2..3,0.6,0.1,d\n,80..82deg,1,0.1,e\n,1..4,1,0.1,f\n,1,0.1±0.2,0.1,g\n,1..2,1,50cm..60cm,h\n\
         heymann,1,1,0.1,i\n,1..2,,0.1,j\n,1..1.2,0.6±10%,0.1,k\n,1,±5%,0.1,l\n,1,inf..1,0.1,m\n";
-    let output = fed("states --ranges --format jsonl --keep id", input);
-    assert_eq!(output.status.code(), Some(2));
-    let told = text(&output.stderr);
-    assert!(told.contains("12 of 13 rows could not be read"), "{told}");
-    let all = of_lines(&text(&output.stdout));
-    for (index, (row, why)) in all
-        .iter()
-        .zip([
-            "the range 0.7..0.6 is empty: give the lower end first",
-            "'1..' is half a range",
-            "'..' is half a range",
-            "'1..2..3' has more parts",
-            "write 80deg..82deg",
-            "4 is not between 0 and pi",
-            "the friction -0.1 is negative",
-            "50cm is a length",
-            "a weight is one of heyman",
-            "friction (or friction_angle) is missing",
-            "",
-            "half a range",
-            "inf..1 is empty",
-        ])
-        .enumerate()
-    {
-        assert_eq!(
-            (&row["line"], row["kept"]["id"].as_str().map(str::len)),
-            (&(index + 2).into(), Some(1))
-        );
+    let (output, told) = ended(2, "states --ranges --format jsonl --keep id", input);
+    tells(&told, ["12 of 13 rows could not be read"]);
+    let all = of_lines(&output);
+    let reasons = [
+        "the range 0.7..0.6 is empty: give the lower end first",
+        "'1..' is half a range",
+        "'..' is half a range",
+        "'1..2..3' has more parts",
+        "write 80deg..82deg",
+        "4 is not between 0 and pi",
+        "the friction -0.1 is negative",
+        "50cm is a length",
+        "a weight is one of heyman",
+        "friction (or friction_angle) is missing",
+        "",
+        "half a range",
+        "inf..1 is empty",
+    ];
+    assert_eq!(all.len(), reasons.len());
+    for (line, (row, why)) in (2..).zip(all.iter().zip(reasons)) {
+        assert_eq!((&row["line"], row["kept"]["id"].text().len()), (&line.into(), 1));
         match why {
             "" => assert_eq!(row["outcome"], "all_stand"),
             _ => {
                 assert_eq!(row["schema"], "couplet.refused/1");
-                assert!(row["error"].as_str().unwrap().contains(why), "{row}");
+                tells(row["error"].text(), [why]);
             }
         }
     }
@@ -160,16 +147,13 @@ fn a_bad_row_is_told_in_its_row() {
 #[test]
 fn without_the_option_a_range_is_refused_with_its_name() {
     let rows = "alpha,mu,eta\n1,0.5..0.6,0.1\n1,1,0.1\n1,1,0.1±1%\n";
-    let output = fed("states", rows);
-    assert_eq!(output.status.code(), Some(2));
-    let told = stdout(&output);
+    let (told, _) = ended(2, "states", rows);
     let lines: Vec<&str> = told.lines().collect();
     assert!(lines[1].contains("friction 0.5..0.6 is a range: `couplet states --ranges`"), "{told}");
     assert!(lines[3].contains("thickness 0.1±1% is a range") && lines[2].contains("proved"));
-    let judged = fed("judge - --format csv", "alpha,mu,thickness\n1,0.5..0.6,0.1\n");
-    assert_eq!(judged.status.code(), Some(2));
-    let told = stdout(&judged);
-    assert!(told.contains("is not judged") && told.contains("--ranges --keep all"), "{told}");
+    let judged = "alpha,mu,thickness\n1,0.5..0.6,0.1\n";
+    let (told, _) = ended(2, "judge - --format csv", judged);
+    tells(&told, ["is not judged", "--ranges --keep all"]);
 }
 
 /// Texts of a table in degrees with decimal commas, and lists of JSON.
@@ -196,7 +180,7 @@ fn ranges_are_spelt_as_numbers_are() {
     for row in &all[2..] {
         assert_eq!(row["schema"], "couplet.refused/1", "{row}");
     }
-    assert!(all[6]["error"].as_str().unwrap().contains("0.6..0.5 is empty"), "{}", all[6]);
+    assert!(all[6]["error"].text().contains("0.6..0.5 is empty"), "{}", all[6]);
 }
 
 /// More rows than are answered at a time come in their order.

@@ -1,8 +1,11 @@
 //! `couplet states`: what its rows ask, how they may be written, and when they are answered.
 
 use super::stdout;
-use crate::program::{Scratch, couplet, fed, lines, object, refused, rows, said, start, text};
-use serde_json::Value;
+use crate::program::{
+    Json, Scratch, ended, fed, header, lines, object, printed, refused, rows, said, says, start,
+    tells, text,
+};
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
 
@@ -24,14 +27,10 @@ fn each_object_is_answered_by_what_it_asks() {
     for (input, first) in [(format!("{state}\n{thin}\n"), 0), (format!("{thin}\n{state}\n"), 1)] {
         let found = objects("--digits 5", input);
         let (state, thin) = (&found[first], &found[1 - first]);
-        assert_eq!(
-            (&state["schema"], &state["can_stand"]),
-            (&"couplet.state/2".into(), &true.into())
-        );
+        says(state, json!({"schema": "couplet.state/2", "can_stand": true, "stands": null}));
         assert_eq!(state["thickness"]["value"], "0.090141");
-        assert_eq!(state["stands"], Value::Null);
-        assert_eq!((&thin["schema"], &thin["stands"]), (&"couplet.assess/2".into(), &false.into()));
-        assert_eq!((&thin["thickness"], &thin["thickness_double"]), (&"0.05".into(), &0.05.into()));
+        says(thin, json!({"schema": "couplet.assess/2", "stands": false, "thickness": "0.05"}));
+        assert_eq!(thin["thickness_double"], 0.05);
         assert_eq!(thin["least_thickness"]["value"], "0.090141");
     }
     let both = table("--digits 5", &format!("{state}\n{thin}\n"));
@@ -103,24 +102,22 @@ fn a_hexadecimal_double_is_exact() {
 #[test]
 fn a_comma_is_no_decimal_point_where_commas_separate() {
     let row = &objects("", "alpha,mu\n\"1,5\",1\n")[0];
-    assert!(row["error"].as_str().unwrap().contains("'1,5'"), "{row}");
+    assert!(row["error"].text().contains("'1,5'"), "{row}");
 }
 
 #[test]
 fn what_is_kept_is_handed_on() {
     let input = "id,alpha,mu,mode,remark\n7,1.5,inf,fast,\"a,b\"\n8,x,inf,slow,\n";
     let found = table("--keep id,mode", input);
-    assert_eq!(
-        (&*found[0]["id"], &*found[0]["input_mode"], &*found[0]["mode"]),
-        ("7", "fast", "[r,r,r]")
-    );
+    let told = ["id", "input_mode", "mode"].map(|name| &*found[0][name]);
+    assert_eq!(told, ["7", "fast", "[r,r,r]"]);
     assert_eq!((&*found[1]["id"], &*found[1]["input_mode"]), ("8", "slow"), "of a bad row too");
     assert!(!found[0].contains_key("remark"));
     let all = objects("--keep all", input);
-    assert_eq!(all[0]["kept"], serde_json::json!({"id": "7", "mode": "fast", "remark": "a,b"}));
+    assert_eq!(all[0]["kept"], json!({"id": "7", "mode": "fast", "remark": "a,b"}));
     let exact = "{\"alpha\":1,\"mu\":1,\"id\":10000000000000000000001.50,\"x\":[1]}";
     let json = objects("--keep all", exact);
-    assert_eq!((&json[0]["kept"]["x"], &json[0]["line"]), (&serde_json::json!([1]), &1.into()));
+    assert_eq!((&json[0]["kept"]["x"], &json[0]["line"]), (&json!([1]), &1.into()));
     let output = stdout(&fed("states --keep id", exact.replace(",\"x\":[1]", "")));
     let kept = "\"kept\":{\"id\":10000000000000000000001.50}";
     assert!(output.contains(kept), "every digit: {output}");
@@ -132,13 +129,14 @@ fn columns_of_others_are_ours_by_name() {
     let columns = "--digits 9 --columns opening=half_opening:deg,m=mu,t=thickness";
     let named = table(columns, "run,opening,m,t\n1,80,0.6,0.12\n2,1e2,inf,1/5\n");
     let ours = table("--digits 9", "alpha,mu,eta\n80deg,0.6,0.12\n100deg,inf,1/5\n");
+    assert_eq!((named.len(), ours.len()), (2, 2));
     for (one, other) in named.iter().zip(&ours) {
         for key in ["stands", "least_thickness", "geometric_safety", "least_thrust"] {
             assert_eq!(one[key], other[key], "{key}");
         }
     }
-    let bridge =
-        &table("--digits 9 --columns l=span,f=rise,friction", "l,f,friction\n10m,3m,0.6\n")[0];
+    let bridge = "l,f,friction\n10m,3m,0.6\n";
+    let bridge = &table("--digits 9 --columns l=span,f=rise,friction", bridge)[0];
     let alone = object("state --span 10m --rise 3m --friction 0.6 --digits 9");
     assert_eq!(alone["least_thickness_m"]["value"], bridge["least_thickness_m"]);
     let once = fed("states --digits 9", "alpha,mu\n1.5,0.6\n2,1\n").stdout;
@@ -161,21 +159,8 @@ fn columns_of_others_are_ours_by_name() {
 #[test]
 fn what_would_be_dropped_in_error_is_refused() {
     let found = objects("", format!("{{{ARCH},\"thicknes\":1}}\n{{{ARCH},\"mu\":1}}\n"));
-    assert!(found[0]["error"].as_str().unwrap().contains("did you mean 'thickness'?"));
-    assert!(found[1]["error"].as_str().unwrap().contains("'friction' and 'mu' are the same"));
-    // In other units too, but for those that a sample has of one half opening.
-    for (head, a, b) in [
-        ("alpha,alpha_deg,mu", "alpha", "alpha_deg"),
-        ("mu,mu_deg,alpha", "mu", "mu_deg"),
-        ("alpha,mu,eta,eta_m", "eta", "eta_m"),
-        ("alpha,friction,friction_deg", "friction", "friction_deg"),
-        ("span,span_m,rise,mu", "span", "span_m"),
-    ] {
-        let table = format!("{head}\n{}\n", vec!["1"; head.split(',').count()].join(","));
-        let scratch = Scratch::new();
-        scratch.write("rows.csv", table);
-        refused(["states", &scratch.path("rows.csv")], "", &format!("'{a}' and '{b}'"));
-    }
+    assert!(found[0]["error"].text().contains("did you mean 'thickness'?"));
+    assert!(found[1]["error"].text().contains("'friction' and 'mu' are the same"));
 }
 
 /// What one arch may be asked and no row is must not be dropped: without it the answer would be that of another arch.
@@ -186,7 +171,7 @@ fn what_no_row_answers_is_refused_with_what_answers_it() {
         let why = format!("'{name}' is not read here: `couplet assess --{name}` answers it");
         let given = format!("{{{ARCH},\"{name}\":5}}\n{{{ARCH},\"{name}\":null}}\n");
         let found = objects("", &given);
-        assert!(found[0]["error"].as_str().unwrap().contains(&why), "{}", found[0]);
+        assert!(found[0]["error"].text().contains(&why), "{}", found[0]);
         assert_eq!(found[1]["can_stand"], true, "asks nothing");
         let kept = &table(&format!("--keep {name}"), &input)[0];
         assert_eq!((&*kept[name], &*kept["stands"]), ("5", "true"));
@@ -205,10 +190,8 @@ fn what_no_row_answers_is_refused_with_what_answers_it() {
 /// By default a table has what was asked and what is told; numbers for programs are asked for.
 #[test]
 fn doubles_and_hexadecimals_are_asked_for() {
-    let header = |arguments: &str| {
-        let output = fed(format!("states --quantity thrust {arguments}"), "alpha,mu\n1,1\n");
-        stdout(&output).lines().next().unwrap().to_owned()
-    };
+    let header =
+        |asked: &str| header(format!("states --quantity thrust {asked}"), "alpha,mu\n1,1\n");
     let usual = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,reason,note,line,error";
     let given = "half_opening_rad,half_opening_deg,friction_double";
     let both = format!("{given},thrust_double");
@@ -244,14 +227,10 @@ fn a_quote_too_many_costs_one_row() {
     // Blanks around a number make a long file of few rows.
     let blanks = " ".repeat(1000);
     input += &format!("1,1{blanks}\n").repeat(1000);
-    let (code, output, _) = said(&fed("states --digits 1", &input));
-    assert_eq!(code, Some(2));
+    let (output, _) = ended(2, "states --digits 1", &input);
     let mut lines = output.lines();
     let bad = lines.nth(1).unwrap();
-    assert!(
-        bad.contains(",2,the quote that opens in line 2 is not closed within 524288 bytes"),
-        "{bad}"
-    );
+    tells(bad, [",2,the quote that opens in line 2 is not closed within 524288 bytes"]);
     assert_eq!(lines.filter(|line| line.contains("[r,r,r]")).count(), 1000);
 }
 
@@ -268,12 +247,10 @@ fn a_file_becomes_a_file() {
     let scratch = Scratch::new();
     scratch.write("in.csv", "alpha,mu\n1,1\n");
     let (file, out) = (scratch.path("in.csv"), scratch.path("out.csv"));
-    let output = couplet(["states", &file, "-o", &out]);
-    assert_eq!((output.status.code(), text(&output.stdout)), (Some(0), String::new()));
+    assert_eq!(printed(["states", &file, "-o", &out]), "");
     assert_eq!(scratch.read("out.csv").lines().count(), 2);
     refused(["states", &file, "-o", &file], "", "refusing to overwrite the input");
-    let missing = couplet("states missing.csv");
-    assert_eq!(missing.status.code(), Some(3));
+    ended(3, "states missing.csv", "");
 }
 
 #[test]
@@ -293,18 +270,16 @@ fn text_from_outside_is_not_obeyed() {
 fn what_is_kept_is_as_it_came_unless_a_terminal_would_obey_it() {
     let input = "alpha,mu,eta,x\u{1b}[2J,\"e\u{301}\"\n1,1,1,\u{1b}]0;a\0\u{202e}b,\"\ta\tb\"\n";
     for command in ["states", "judge"] {
+        let input = if command == "states" { &input.replace("eta,", "note,") } else { input };
         let output = |format| {
-            let input =
-                if command == "states" { input.replace("eta,", "note,") } else { input.into() };
-            let (_, output, message) =
-                said(&fed(format!("{command} - --keep all --format {format}"), input));
+            let line = format!("{command} - --keep all --format {format}");
+            let (_, output, message) = said(&fed(line, input));
             let is_obeyed = |c: char| c.is_control() && !"\t\n".contains(c) || c == '\u{202e}';
             assert!(!output.contains(is_obeyed), "{command} {output:?} {message}");
             output
         };
         let table = output("csv");
-        assert!(table.contains(r"x\u{1b}[2J,") && table.contains("e\u{301}"), "{table}");
-        assert!(table.contains(r"\u{1b}]0;a\0\u{202e}b,") && table.contains(",a\tb,"), "{table}");
+        tells(&table, [r"x\u{1b}[2J,", "e\u{301}", r"\u{1b}]0;a\0\u{202e}b,", ",a\tb,"]);
         let row: Value = serde_json::from_str(&output("jsonl")).unwrap();
         assert_eq!(row["kept"]["x\u{1b}[2J"], "\u{1b}]0;a\0\u{202e}b");
         assert_eq!(row["kept"]["e\u{301}"], "a\tb");
@@ -332,12 +307,12 @@ fn tables_are_read_as_spreadsheets_write_them() {
     for (separator, number) in [(";", "80,5"), (";", "80.5"), (",", "80.5"), ("\t", "80.5")] {
         let said = format!("sep={separator}\n");
         for before in ["", "\u{feff}", &said, &format!("\u{feff}\"sep={separator}\"\n")] {
-            for (head, unit) in
-                [("alpha_deg", ""), ("α [°]", ""), ("Half Opening (DEG)", ""), ("alpha", "º")]
-            {
-                for (mu, end) in
-                    [("μ", "\n"), ("Mu", "\r\n"), ("friction", " \r\n"), ("Friction ", "\n\n")]
-                {
+            let heads =
+                [("alpha_deg", ""), ("α [°]", ""), ("Half Opening (DEG)", ""), ("alpha", "º")];
+            let frictions =
+                [("μ", "\n"), ("Mu", "\r\n"), ("friction", " \r\n"), ("Friction ", "\n\n")];
+            for (head, unit) in heads {
+                for (mu, end) in frictions {
                     let cells = [[head, mu], [&format!("{number}{unit}"), "0.6"]];
                     let lines = cells.map(|row| row.join(separator) + end);
                     let table = format!("{before}{}", lines.concat());
@@ -355,13 +330,13 @@ fn tables_are_read_as_spreadsheets_write_them() {
         "span [m],rise [m],mu\n10m,300 cm,0.6\n",
     ] {
         let found = answered(table);
-        let digits = |of: &Value| of["value"].as_str().unwrap()[..12].to_owned();
+        let digits = |of: &Value| of["value"].text()[..12].to_owned();
         assert_eq!(digits(&found), digits(&metres), "{table:?}");
     }
     let utf16: Vec<u8> = "alpha,mu\n1,1\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
-    let utf16 = fed("states", utf16);
+    let (_, message) = ended(2, "states", utf16);
     let said = "couplet: the file is UTF-16, which is not read: save it as UTF-8 (\"CSV UTF-8\" in Excel)\n";
-    assert_eq!((utf16.status.code(), &*text(&utf16.stderr)), (Some(2), said));
+    assert_eq!(message, said);
     let latin = fed("states --format jsonl", &b"alpha,mu,stra\xdfe\n1,1,M\xfcller\n"[..]);
-    assert!(text(&latin.stdout).contains("\"verdict\":\"proved\""), "{}", text(&latin.stdout));
+    tells(&text(&latin.stdout), ["\"verdict\":\"proved\""]);
 }

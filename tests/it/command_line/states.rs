@@ -1,8 +1,8 @@
 //! `couplet state`, `couplet assess` and `couplet states`.
 
 use super::{exact, stdout};
-use crate::program::{couplet, fed, object, of_lines, printed, rows, said};
-use serde_json::Value;
+use crate::program::{Json, ended, fed, object, of_lines, printed, rows, says, tells};
+use serde_json::{Value, json};
 
 /// The tangent of the half opening, to more digits than any precision that is tried.
 fn tangent_of_one_half() -> String {
@@ -15,18 +15,18 @@ fn tangent_of_one_half() -> String {
 fn an_open_quantity_is_named_and_the_rest_is_given() {
     let friction = tangent_of_one_half();
     let line = format!("assess --alpha 1/2 --mu {friction} --thickness 0.6 --digits 6 --format");
-    let asked = |format| said(&couplet(format!("{line} {format}")));
+    let asked = |format| ended(1, format!("{line} {format}"), "");
     let why = "whether the shoulder can slide";
-    let (code, lines, error) = asked("table");
-    assert_eq!((code, error), (Some(1), format!("couplet: undecided: largest_thrust: {why}\n")));
-    assert!(lines.contains("stands, proved") && lines.contains(&format!("undecided: {why}")));
-    assert!(lines.contains("472.002"), "the safety factor is known");
-    let entry: Value = serde_json::from_str(&asked("json").1).unwrap();
-    assert_eq!((&entry["verdict"], &entry["stands"]), (&"proved".into(), &true.into()));
-    assert_eq!(entry["largest_thrust"]["undecided"], why);
-    assert_eq!(entry["least_thrust"]["thrust"]["value"], "0.322101");
-    assert_eq!(entry["reason"], format!("largest_thrust: {why}"));
-    let row = &rows(asked("csv").1)[0];
+    let (lines, error) = asked("table");
+    assert_eq!(error, format!("couplet: undecided: largest_thrust: {why}\n"));
+    tells(&lines, ["stands, proved", &format!("undecided: {why}"), "472.002"]);
+    let entry: Value = serde_json::from_str(&asked("json").0).unwrap();
+    let expected = json!({
+        "verdict": "proved", "stands": true, "reason": format!("largest_thrust: {why}"),
+        "largest_thrust": {"undecided": why}, "least_thrust": {"thrust": {"value": "0.322101"}},
+    });
+    says(&entry, expected);
+    let row = &rows(asked("csv").0)[0];
     let cells = ["least_thrust", "largest_thrust"].map(|name| row[name].as_str());
     assert_eq!(cells, ["0.322101", "undecided"]);
 }
@@ -37,8 +37,7 @@ fn what_is_found_is_written_in_every_format() {
     let widest = "find half-opening --mu 0.6 --eta 0.15 --digits 12";
     let asked = |format| printed(format!("{widest} --format {format}"));
     let entry = object(widest);
-    assert_eq!(entry["schema"], "couplet.find/1");
-    assert_eq!((&entry["friction"], &entry["thickness"]), (&"0.6".into(), &"0.15".into()));
+    says(&entry, json!({"schema": "couplet.find/1", "friction": "0.6", "thickness": "0.15"}));
     assert_eq!(entry["half_opening"]["value"], "1.71413299187");
     let [lower, upper] = ["lower", "upper"].map(|end| exact(&entry["half_opening"][end]));
     assert!(lower < upper);
@@ -68,9 +67,8 @@ fn a_state_that_falls_says_what_would_be_enough() {
     let entry = object(falls);
     assert_eq!(entry["sliding_friction"]["value"], "0.309215");
     assert_eq!(entry["enough"]["friction"]["value"], "0.309215");
-    let widest = printed(
-        "find half-opening --mu 0.3 --weight heyman --digits 6 --plain --quantity half_opening",
-    );
+    let widest = "find half-opening --mu 0.3 --weight heyman --digits 6 --plain";
+    let widest = printed(format!("{widest} --quantity half_opening"));
     assert_eq!(entry["enough"]["half_opening"]["value"], widest.trim());
     assert!(printed(format!("{falls} --format csv")).contains(",0.309215,"));
 }
@@ -79,14 +77,12 @@ fn a_state_that_falls_says_what_would_be_enough() {
 fn a_state_has_its_proof_and_its_schema() {
     let state =
         object("state --half-opening 2.45 --friction 1.35 --weight milankovitch --digits 40");
-    assert_eq!(state["schema"], "couplet.state/2");
-    assert_eq!((&state["half_opening"], &state["friction"]), (&"2.45".into(), &"1.35".into()));
-    assert_eq!(
-        (&state["verdict"], &state["can_stand"], &state["mode"]),
-        (&"proved".into(), &true.into(), &"[r,r,s]".into())
-    );
-    assert_eq!(state["thickness"]["value"], "0.6502437808013831727900411061821618712236");
-    assert_eq!(state["reason"], Value::Null);
+    let expected = json!({
+        "schema": "couplet.state/2", "half_opening": "2.45", "friction": "1.35",
+        "verdict": "proved", "can_stand": true, "mode": "[r,r,s]", "reason": null,
+        "thickness": {"value": "0.6502437808013831727900411061821618712236"},
+    });
+    says(&state, expected);
     for key in ["thickness", "thrust", "rotation_joint", "sliding_joint"] {
         let [lower, value, upper] = ["lower", "value", "upper"].map(|end| exact(&state[key][end]));
         assert!(lower <= value && value <= upper && lower < upper, "{key}");
@@ -97,18 +93,14 @@ fn a_state_has_its_proof_and_its_schema() {
     let radians = object("state --alpha pi/2 --friction-angle 7pi/60");
     assert_eq!(degrees["thickness"], radians["thickness"]);
     let falls = object("state --alpha 2.6 --mu 0.3");
-    assert_eq!(
-        (&falls["can_stand"], &falls["mode"], &falls["reason"]),
-        (&false.into(), &Value::Null, &"sliding".into())
-    );
-    let thick = object("state --alpha 2.65 --mu 9");
-    assert_eq!(thick["reason"], "thickness");
+    says(&falls, json!({"can_stand": false, "mode": null, "reason": "sliding"}));
+    says(&object("state --alpha 2.65 --mu 9"), json!({"reason": "thickness"}));
 }
 
 #[test]
 fn a_landmark_lists_all_its_modes() {
     let state = object("state --at T --weight heyman");
-    assert_eq!(state["modes"].as_array().unwrap().len(), 4);
+    assert_eq!(state["modes"].list().len(), 4);
     assert_eq!(state["values"]["thickness"]["value"], "0.679604732098885514787534896210");
 }
 
@@ -119,9 +111,8 @@ fn many_states_keep_their_order_and_bad_rows_their_line() {
         input += &format!("milankovitch,{i}/1200,2\n");
     }
     input += "heyman,banana,1\nheyman,1\nheyman,pi/2,0.38\n";
-    let output = fed("states --columns all", &input);
-    assert_eq!(output.status.code(), Some(2), "two rows are bad");
-    let text = stdout(&output);
+    // Two rows are bad.
+    let (text, _) = ended(2, "states --columns all", &input);
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len(), 3004);
     // A fraction that ends is the decimal.
@@ -137,9 +128,7 @@ fn many_states_keep_their_order_and_bad_rows_their_line() {
 #[test]
 fn json_lines_in_and_out() {
     let input = "{\"weight\":\"heyman\",\"half_opening\":\"pi/2\",\"friction\":0.38}\n\n{\"weight\":1}\nnonsense\n";
-    let output = fed("states --digits 6", input);
-    assert_eq!(output.status.code(), Some(2));
-    let lines = of_lines(&stdout(&output));
+    let lines = of_lines(&ended(2, "states --digits 6", input).0);
     assert_eq!(lines.len(), 3);
     assert_eq!(lines[0]["thickness"]["value"], "0.122192");
     assert_eq!((lines[1]["line"].as_u64(), lines[2]["line"].as_u64()), (Some(3), Some(4)));
@@ -156,9 +145,8 @@ fn json_lines_in_and_out() {
 #[test]
 fn a_number_longer_than_a_command_line_is_refused() {
     let digits = format!("0.{}", "1".repeat(100_000));
-    let output = fed("states", format!("weight,alpha,mu\nheyman,{digits},1\n"));
-    assert_eq!(output.status.code(), Some(2));
-    assert!(stdout(&output).contains("a number of 100002 characters is too long"));
+    let (output, _) = ended(2, "states", format!("weight,alpha,mu\nheyman,{digits},1\n"));
+    tells(&output, ["a number of 100002 characters is too long"]);
 }
 
 /// A table for a spreadsheet or a paper has the rows of the usual one.
@@ -168,8 +156,7 @@ fn rows_are_written_for_people_too() {
     let written =
         |format, input: &str| stdout(&fed(format!("states --digits 6 --format {format}"), input));
     let csv2 = written("csv2", input);
-    assert!(csv2.contains("\nmilankovitch;pi/2;0,6;0,125;intrados;proved;"), "{csv2}");
-    assert!(csv2.contains(";0,107478;1,16303;"), "{csv2}");
+    tells(&csv2, ["\nmilankovitch;pi/2;0,6;0,125;intrados;proved;", ";0,107478;1,16303;"]);
     let again = written("csv2", &csv2);
     assert_eq!(again.matches(";0,107478;1,16303;").count(), 1, "it reads what it writes: {again}");
     let markdown = written("markdown", input);
@@ -179,8 +166,6 @@ fn rows_are_written_for_people_too() {
     assert!(!markdown.contains("sliding") && !markdown.contains("line"), "empty: {markdown}");
     let latex = written("latex", input);
     assert!(latex.contains(r"\num{0.107478} & \num{1.16303}"), "{latex}");
-    let with_error = fed("states --format markdown", format!("{input}12m;5m;80cm;x\n"));
-    assert_eq!(with_error.status.code(), Some(2));
-    let last = stdout(&with_error);
-    assert!(last.contains("| 4 | 'x' is not a friction: "), "{last}");
+    let (last, _) = ended(2, "states --format markdown", format!("{input}12m;5m;80cm;x\n"));
+    tells(&last, ["| 4 | 'x' is not a friction: "]);
 }
