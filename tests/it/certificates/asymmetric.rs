@@ -1,9 +1,9 @@
 //! Certificates of asymmetric solutions of (19), and their spoiled copies.
 
-use super::originals::{alike, asymmetric, find_root, root, to_value};
+use super::originals::{alike, asymmetric, find_root, is_near, random, root, to_value};
 use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled};
 use crate::arches::{H, M, arch};
-use crate::program::{couplet, printed, said};
+use crate::program::{ended, printed, tells};
 use couplet::arch::SelfWeight;
 use couplet::arch::asymmetric::AsymmetricMode::{
     self, InnerSliding, ShoulderOpening, ShoulderSliding,
@@ -149,12 +149,7 @@ fn the_originals_are_accepted() {
 /// the one that is known.
 #[test]
 fn of_all_the_roots_one_is_accepted() {
-    let mut state = 7u64;
-    let mut random = || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut random = random(7);
     let (mut refused, mut accepted) = (0, 0);
     let arches: [(SelfWeight, &str, &str, AsymmetricMode); 4] = [
         (M, "2.3", "1.05", InnerSliding),
@@ -174,8 +169,7 @@ fn of_all_the_roots_one_is_accepted() {
                 Err(Refusal::NoValues) => {
                     accepted += 1;
                     let root = root(&to_value(&certificate));
-                    let same = known.iter().zip(&root).all(|(a, b)| (a - b).abs() < 1e-12);
-                    assert!(same, "{problem:?}: {known:?} and {root:?}");
+                    is_near(&known, &root, 1e-12);
                 }
                 Err(Refusal::Condition(_)) => refused += 1,
                 other => assert!(other.is_err(), "{problem:?} {other:?}"),
@@ -193,8 +187,8 @@ fn a_kind_is_asked_for() {
         ("--alpha pi/2 --mu 0.35", "no asymmetric solution is found"),
         ("--alpha 2.3 --mu 1.05 --mode shoulder_opening", "no solution"),
     ] {
-        let (code, _, message) = said(&couplet(format!("certify asymmetric {arguments}")));
-        assert_eq!((code, message.lines().count()), (Some(1), 1), "{message}");
-        assert!(message.contains(words), "{message}");
+        let (_, message) = ended(1, format!("certify asymmetric {arguments}"), "");
+        assert_eq!(message.lines().count(), 1, "{message}");
+        tells(&message, [words]);
     }
 }

@@ -1,6 +1,7 @@
 //! Boxes at the limit: how far the large box of a certificate can be widened until an arithmetic no longer shows that
 //! it holds one root.
 
+use crate::house::certificates;
 use couplet::check::{AcceptedFile, Refusal, check_file};
 use couplet::number::{AstroInterval, Ball, Dyadic};
 use rug::Integer;
@@ -18,12 +19,8 @@ type Check = fn(&[u8], usize) -> Result<AcceptedFile, Refusal>;
 
 /// The certificates of landmarks and of states in `proofs`.
 fn stored() -> Vec<Value> {
-    let folder = |name| concat!(env!("CARGO_MANIFEST_DIR"), "/proofs/").to_owned() + name;
-    let files = ["constants", "states"].map(|name| fs::read_dir(folder(name)).unwrap());
-    let paths = files.into_iter().flatten().map(|file| file.unwrap().path());
-    let paths = paths.filter(|path| path.extension().is_some_and(|end| end == "json"));
-    let all: Vec<Value> =
-        paths.map(|path| serde_json::from_slice(&fs::read(path).unwrap()).unwrap()).collect();
+    let read = |path| serde_json::from_slice(&fs::read(path).unwrap()).unwrap();
+    let all: Vec<Value> = certificates(["constants", "states"]).into_iter().map(read).collect();
     assert!(all.len() > 25);
     all
 }

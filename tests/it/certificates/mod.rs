@@ -152,10 +152,8 @@ fn every_landmark_at_60_digits_is_accepted_and_fewer_digits_too() {
                 let certificate = certify_landmark(landmark, weight, digits).unwrap();
                 let accepted = alike(&serde_json::to_vec(&certificate).unwrap(), digits).unwrap();
                 assert_eq!(accepted.problem, Problem::Landmark { landmark, weight });
-                assert_eq!(
-                    (accepted.digits, accepted.values.len()),
-                    (digits, certificate.values.len())
-                );
+                assert_eq!(accepted.digits, digits);
+                assert_eq!(accepted.values.len(), certificate.values.len());
             }
         }
     }

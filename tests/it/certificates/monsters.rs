@@ -1,11 +1,13 @@
 //! Files that are large, deep or large in what they ask for: refused quickly, in few words and with
 //! little memory.
 
-use super::originals::{alike, landmark, state};
+use super::originals::{alike, landmark};
+use super::refusals::{Original, arch, point};
+use crate::program::Scratch;
 use couplet::check::{Refusal, check};
 use couplet::number::AstroInterval;
 use cpu_time::ThreadTime;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::time::Duration;
 
 /// The largest number of digits in this file.
@@ -13,14 +15,12 @@ const MAX_DIGITS: usize = 40;
 
 /// The certificate of T with another value at a place.
 fn with(place: &str, value: impl Into<Value>) -> Vec<u8> {
-    let mut copy = landmark("T").clone();
-    *copy.pointer_mut(place).unwrap() = value.into();
-    copy.to_string().into_bytes()
+    point().with(place, value).bytes
 }
 
 /// The same with one text replaced by another.
 fn text(from: &str, to: impl AsRef<str>) -> Vec<u8> {
-    landmark("T").to_string().replacen(from, to.as_ref(), 1).into_bytes()
+    point().replaced(from, to.as_ref()).bytes
 }
 
 fn long() -> String {
@@ -28,9 +28,7 @@ fn long() -> String {
 }
 
 fn long_half_opening() -> Vec<u8> {
-    let mut arch = state("2.45", "1.35").clone();
-    arch["claim"]["state"]["half_opening"] = json!(format!("{0}/{0}", long()));
-    arch.to_string().into_bytes()
+    arch().with("/claim/state/half_opening", format!("{0}/{0}", long())).bytes
 }
 
 fn is_refused(name: &str, bytes: &[u8]) {
@@ -112,9 +110,8 @@ fn large_and_small_boxes_are_refused() {
 /// What made it is not looked at, however long its name.
 #[test]
 fn a_long_name_of_the_tool_is_accepted() {
-    let mut copy = landmark("L").clone();
-    copy["tool"] = json!(long());
-    alike(copy.to_string().as_bytes(), MAX_DIGITS).unwrap();
+    let copy = Original(landmark("L")).with("/tool", long());
+    alike(&copy.bytes, MAX_DIGITS).unwrap();
 }
 
 #[test]
@@ -126,13 +123,10 @@ fn a_file_of_spaces_is_refused() {
 #[cfg(target_os = "linux")]
 #[test]
 fn monsters_are_refused_in_little_memory() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut files = Vec::new();
-    for (index, bytes) in MONSTERS.iter().enumerate() {
-        let path = folder.path().join(format!("{index}.json"));
-        std::fs::write(&path, bytes()).unwrap();
-        files.push(path);
-    }
+    let scratch = Scratch::new();
+    let files: Vec<String> =
+        (0..MONSTERS.len()).map(|k| scratch.path(&format!("{k}.json"))).collect();
+    MONSTERS.iter().zip(&files).for_each(|(bytes, file)| std::fs::write(file, bytes()).unwrap());
     let output = std::process::Command::new("sh")
         .args(["-c", "ulimit -v 262144; exec \"$0\" check \"$@\"", env!("CARGO_BIN_EXE_couplet")])
         .args(&files)

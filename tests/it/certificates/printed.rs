@@ -1,7 +1,8 @@
 //! The line that `couplet check` prints says what was checked, however the file spells it.
 
 use super::originals::{landmark, state};
-use crate::program::{Scratch, couplet, fed, said};
+use super::spoiled::decimal;
+use crate::program::{Scratch, couplet, ended, said};
 use couplet::certify::certify_arch;
 use rug::Rational;
 use rug::ops::Pow;
@@ -9,20 +10,14 @@ use serde_json::{Value, json};
 
 /// The line about a certificate from standard input, without its name.
 fn line(certificate: &Value) -> String {
-    let (code, output, message) = said(&fed("check -", certificate.to_string()));
-    assert_eq!((code, message.as_str(), output.lines().count()), (Some(0), "", 1), "{output}");
+    let (output, message) = ended(0, "check -", certificate.to_string());
+    assert_eq!((message.as_str(), output.lines().count()), ("", 1), "{output}");
     output.trim_end().strip_prefix("-: ").unwrap().to_owned()
 }
 
 /// The number that a decimal text stands for; dots only leave out digits behind the point.
 fn number(text: &str) -> Rational {
-    let text = text.replace('…', "");
-    let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
-    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let digits: rug::Integer = format!("{whole}{part}").parse().unwrap();
-    let power = power.parse::<i32>().unwrap() - part.len() as i32;
-    let ten = Rational::from(10).pow(power);
-    ten * digits
+    decimal(&text.replace('…', ""))
 }
 
 /// The value that a line shows.
@@ -144,10 +139,8 @@ fn a_name_of_a_file_is_printed_in_one_line_whatever_its_bytes_are() {
         std::fs::remove_file(&path).unwrap();
         let (code, output, message) = said(&check());
         assert_eq!((code, output.lines().count(), message.lines().count()), (Some(3), 1, 1));
-        assert!(
-            output.ends_with(&format!("{shown}not read: no such file or folder\n")),
-            "{output}"
-        );
+        let end = format!("{shown}not read: no such file or folder\n");
+        assert!(output.ends_with(&end), "{output}");
     }
     let wrong = command(["check", "--engine", "\u{1b}[2K\n"]).arg("x").output().unwrap();
     assert!(!said(&wrong).2.trim_end().contains(char::is_control), "{}", said(&wrong).2);

@@ -57,10 +57,8 @@ fn one_bit_more((whole, place, bits): (&str, &'static str, u32)) -> (Spoiled, Re
 fn no_radius(place: &'static str, text: &str) -> Cases {
     [(0, "half_opening"), (4, "thrust")]
         .map(|(k, unknown)| {
-            (
-                point().with(&format!("/{place}/radius/{k}"), text),
-                Refusal::Radius { place, unknown },
-            )
+            let copy = point().with(&format!("/{place}/radius/{k}"), text);
+            (copy, Refusal::Radius { place, unknown })
         })
         .into()
 }

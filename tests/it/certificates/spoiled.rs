@@ -19,13 +19,12 @@ use std::collections::HashMap;
 const MAX_DIGITS: usize = 40;
 
 /// The number that a text of the form `d.ddd[e±n]` stands for.
-fn decimal(text: &str) -> Rational {
+pub(super) fn decimal(text: &str) -> Rational {
     let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
     let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let digits: Integer = format!("{whole}{part}").parse().unwrap();
-    let power: i32 = power.parse::<i32>().unwrap() - part.len() as i32;
-    let ten = Integer::from(10).pow(power.unsigned_abs());
-    if power < 0 { Rational::from((digits, ten)) } else { Rational::from(digits * ten) }
+    let power = power.parse::<i32>().unwrap() - part.len() as i32;
+    Rational::from(10).pow(power) * digits
 }
 
 /// The correctly rounded value as the solver has it; `None` for infinity.
@@ -160,12 +159,8 @@ fn originals() -> Vec<Value> {
 #[test]
 fn what_is_accepted_after_changes_is_true() {
     let originals = originals();
-    spoiled(
-        4000,
-        [[100, 500], [25, 500]],
-        &originals.iter().collect::<Vec<_>>(),
-        accepted_and_true,
-    );
+    let originals: Vec<&Value> = originals.iter().collect();
+    spoiled(4000, [[100, 500], [25, 500]], &originals, accepted_and_true);
 }
 
 /// The right values of another claim are not those of this one.
@@ -176,13 +171,11 @@ fn the_oracle_sees_what_is_false() {
     assert_eq!(truth(&accepted, *quantity), Some(decimal(text)));
     let fewer = Accepted { digits: accepted.digits - 1, ..accepted.clone() };
     assert_ne!(truth(&fewer, *quantity), Some(decimal(&text[..text.len() - 3])));
-    let mut other = accepted.clone();
-    let landmark = Landmark::Triple;
-    other.problem = Problem::Landmark { landmark, weight: SelfWeight::Milankovitch };
-    assert_ne!(truth(&other, *quantity), Some(decimal(text)));
-    let landmark = Landmark::Junction;
-    other.problem = Problem::Landmark { landmark, weight: SelfWeight::Milankovitch };
-    assert_ne!(truth(&other, *quantity), Some(decimal(text)));
+    for landmark in [Landmark::Triple, Landmark::Junction] {
+        let problem = Problem::Landmark { landmark, weight: SelfWeight::Milankovitch };
+        let other = Accepted { problem, ..accepted.clone() };
+        assert_ne!(truth(&other, *quantity), Some(decimal(text)));
+    }
     assert_eq!(decimal("1.25e-1"), Rational::from((1, 8)));
     assert_eq!(decimal("150"), 150);
 }

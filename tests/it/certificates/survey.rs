@@ -3,6 +3,7 @@
 use super::originals::{file_alike, state, to_value, verdict};
 use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled};
 use crate::arches::{H, M, number};
+use crate::program::Json;
 use couplet::arch::SelfWeight;
 use couplet::certify::{certify_arch, certify_survey};
 use couplet::check::{AcceptedFile, Refusal, SurveyRefusal};
@@ -155,8 +156,7 @@ fn nothing() -> Cases {
 
 /// A range of another number of ends.
 fn other_ends() -> Cases {
-    let mut cases = Vec::new();
-    for (original, place, name) in [
+    let ranges = [
         (all(), "/survey/friction", "friction"),
         (all(), "/survey/free/half_opening", "half_opening"),
         (all(), "/survey/free/thickness", "thickness"),
@@ -165,20 +165,22 @@ fn other_ends() -> Cases {
         (all_measured(), "/survey/spanned/thickness", "thickness"),
         (all_measured(), "/parts/1/step/span", "span"),
         (all_measured(), "/parts/1/step/rise", "rise"),
-    ] {
-        for list in [json!([]), json!(["1/1"]), json!(["1/1", "1/1", "1/1"])] {
-            cases.push((original.with(place, list), SurveyRefusal::Ends(name).into()));
-        }
-    }
-    cases
+    ];
+    let case = |(original, place, name): (Original, &str, &'static str)| {
+        [0, 1, 3]
+            .map(|ends| (original.with(place, vec!["1/1"; ends]), SurveyRefusal::Ends(name).into()))
+    };
+    ranges.into_iter().flat_map(case).collect()
+}
+
+/// A text as a refusal shows it.
+fn shortened(text: &str) -> String {
+    if text.len() > 40 { format!("{}…", &text[..40]) } else { text.to_owned() }
 }
 
 /// Neither a friction nor a length is given like this.
 fn not_given_as(text: &str) -> Cases {
-    let shown = match text.len() > 40 {
-        true => format!("{}…", &text[..40]),
-        false => text.to_owned(),
-    };
+    let shown = shortened(text);
     vec![
         (all().with("/survey/friction/0", text), given("friction", &shown)),
         (all_measured().with("/survey/spanned/span/1", text), given("span", &shown)),
@@ -188,10 +190,7 @@ fn not_given_as(text: &str) -> Cases {
 
 /// No length is given like this.
 fn no_length(text: &str) -> Cases {
-    let shown = match text.len() > 40 {
-        true => format!("{}…", &text[..40]),
-        false => text.to_owned(),
-    };
+    let shown = shortened(text);
     vec![
         (all_measured().with("/survey/spanned/thickness/0", text), given("thickness", &shown)),
         (all_measured().with("/parts/2/step/span/1", text), given("span", &shown)),
@@ -201,7 +200,7 @@ fn no_length(text: &str) -> Cases {
 /// A copy with other parts, of those of one that is accepted.
 fn parts(original: Original, chosen: &[usize]) -> Spoiled {
     original.changed(&format!("parts {chosen:?}"), |copy| {
-        let old = copy["parts"].as_array().unwrap().clone();
+        let old = copy["parts"].list().to_vec();
         copy["parts"] = chosen.iter().map(|&k| old[k].clone()).collect();
     })
 }
@@ -224,9 +223,8 @@ fn with_step(part: usize, span: [&str; 2], rise: [&str; 2]) -> Spoiled {
 fn a_step_that_is_longer() -> Spoiled {
     all_measured().changed("longer", |copy| {
         let end = copy["parts"][2]["step"].clone();
-        let [first, last] = [0, 1].map(|k| {
-            [&end["span"][k], &end["rise"][k]].map(|text| text.as_str().unwrap().to_owned())
-        });
+        let [first, last] =
+            [0, 1].map(|k| [&end["span"][k], &end["rise"][k]].map(|text| text.text().to_owned()));
         let near = |a: &str, b: &str| {
             let [a, b] = [a, b].map(|text| text.parse::<rug::Rational>().unwrap());
             let near: rug::Rational = (a + b) / 2;
@@ -368,14 +366,9 @@ fn the_original_surveys_are_accepted() {
     let found = originals().map(|original| accepted(original.0.to_string().as_bytes()));
     assert_eq!(found, [ALL, NONE, NONE, BOTH, ALL, NONE, BOTH]);
     let kinds = |original: Original| {
-        let parts = original.0["parts"].as_array().unwrap();
-        let claim = |part: &Value| {
-            let claim = part["certificate"]["claim"].as_object().unwrap();
-            ["slides", "too_wide", "too_thin", "stands"]
-                .into_iter()
-                .find(|k| claim.contains_key(*k))
-        };
-        parts.iter().filter_map(claim).collect::<Vec<_>>()
+        let claims = original.0["parts"].list().iter().map(|part| &part["certificate"]["claim"]);
+        let all = ["slides", "too_wide", "too_thin", "stands"].into_iter();
+        claims.filter_map(|of| all.clone().find(|kind| !of[*kind].is_null())).collect::<Vec<_>>()
     };
     assert_eq!(kinds(all_measured()), ["stands"; 3]);
     assert_eq!(kinds(none_as_they_slide()), ["slides"]);

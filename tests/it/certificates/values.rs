@@ -16,16 +16,11 @@ fn quantity(name: &Value) -> &'static str {
 fn each(other: impl Fn(usize, &str) -> String, reason: fn(&'static str) -> Refusal) -> Cases {
     let values = point().0["values"].as_array().unwrap();
     assert_eq!(values.len(), 13);
-    let values = values.iter().enumerate();
-    values
-        .map(|(k, value)| {
-            let text = other(k, value["value"].as_str().unwrap());
-            (
-                point().with(&format!("/values/{k}/value"), text),
-                reason(quantity(&value["quantity"])),
-            )
-        })
-        .collect()
+    let case = |(k, value): (usize, &Value)| {
+        let text = other(k, value["value"].as_str().unwrap());
+        (point().with(&format!("/values/{k}/value"), text), reason(quantity(&value["quantity"])))
+    };
+    values.iter().enumerate().map(case).collect()
 }
 
 fn each_is_not(text: &str) -> Cases {
