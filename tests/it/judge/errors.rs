@@ -1,13 +1,11 @@
 //! What the library tells of a claim is so.
 
-use crate::arches::{H, arch};
+use crate::arches::{H, arch, stands};
 use crate::hard::config;
-use couplet::certify::state::{Answer, Certify, Digits, Outcome};
+use couplet::certify::state::{Certify, Digits, Outcome};
 use couplet::judge::{CorrectDigits, Demand, RowClaim, Said, Verdict, judge};
 use couplet::number::Decimal;
-use couplet::problem::Arch;
-use couplet::problem::Mode;
-use couplet::problem::Quantity;
+use couplet::problem::{Arch, Mode, Quantity};
 use proptest::prelude::*;
 use rug::{Integer, Rational};
 
@@ -35,10 +33,8 @@ fn what_cannot_be_told_is_accepted_of_nobody() {
 
 fn semicircle() -> (Arch, Box<Digits>) {
     let arch = arch(H, "pi/2", "0.38");
-    match arch.certify(80) {
-        Ok(Answer::Stands(state)) => (arch, state),
-        other => panic!("{other:?}"),
-    }
+    let state = stands(&arch, 80);
+    (arch, state)
 }
 
 fn power_of_ten(exponent: i64) -> Rational {

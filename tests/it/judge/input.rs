@@ -1,11 +1,12 @@
 //! What a file may hold: any inputs, units and rows, good and bad ones.
 
 use super::{rows, verdicts};
-use crate::arches::{H, M, number};
-use couplet::certify::state::{Answer, Certify};
+use crate::arches::{H, M, number, stands};
+use crate::program::{Json, says};
 use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction};
 use rug::Rational;
+use serde_json::json;
 
 /// A program in double precision computes with the double next to 0.1, which is more than 0.1.
 #[test]
@@ -13,10 +14,7 @@ fn inputs_are_exact_or_doubles() {
     let thickness = |half_opening: ExactNumber, friction: ExactNumber| {
         let friction = Friction::Coefficient(friction);
         let arch = Arch::new(M, half_opening, friction).unwrap();
-        match arch.certify(25) {
-            Ok(Answer::Stands(state)) => state.thickness.decimal.value.to_string(),
-            other => panic!("{other:?}"),
-        }
+        stands(&arch, 25).thickness.decimal.value.to_string()
     };
     let double = |x: f64| ExactNumber::from(&Rational::from_f64(x).unwrap());
     let table = [
@@ -45,17 +43,13 @@ fn angles_may_be_in_degrees() {
     let input = "a,phi,joint\n80,30,52.9\n80deg,30,0.9233\n";
     let columns = "a=half_opening:deg,phi=friction_angle:deg,joint=rotation_joint:deg";
     let (_, rows) = rows(&format!("--weight heyman --columns {columns}"), input);
-    let value = rows[0]["numbers"]["rotation_joint"]["value"].as_str().unwrap();
+    let value = rows[0]["numbers"]["rotation_joint"]["value"].text();
     let arch = Arch::new(H, number("80").degrees(), Friction::Infinite).unwrap();
-    let Ok(Answer::Stands(state)) = arch.certify(20) else { panic!() };
-    let degrees = state.rotation_joint.double.to_degrees();
+    let degrees = stands(&arch, 20).rotation_joint.double.to_degrees();
     approx::assert_relative_eq!(value.parse::<f64>().unwrap(), degrees, max_relative = 1e-14);
-    assert_eq!(
-        (&rows[0]["half_opening"], &rows[0]["friction"]),
-        (&"80deg".into(), &"tan(30deg)".into())
-    );
-    assert_eq!(rows[1]["half_opening"], "80deg", "not twice");
-    assert_eq!(rows[1]["verdict"], "inaccurate", "radians where degrees were named");
+    says(&rows[0], json!({"half_opening": "80deg", "friction": "tan(30deg)"}));
+    // Not twice, and radians where degrees were named.
+    says(&rows[1], json!({"half_opening": "80deg", "verdict": "inaccurate"}));
 }
 
 /// An angle is rounded like any other input, in whatever column it stands.
@@ -64,10 +58,7 @@ fn an_angle_among_the_coefficients_is_the_same_arch() {
     let thickness = "0.1102301023143341972901023";
     let judged = |column: &str, text: &str| {
         let input = format!("half_opening,{column},thickness\n1.5,{text},{thickness}\n");
-        rows("--weight heyman --inputs double --accept 25", input).1[0]["verdict"]
-            .as_str()
-            .unwrap()
-            .to_owned()
+        rows("--weight heyman --inputs double --accept 25", input).1[0]["verdict"].text().to_owned()
     };
     let verdict = judged("friction_angle", "18.3deg");
     assert_ne!(verdict, "correctly rounded", "24 digits of an angle that a double does not hold");
@@ -110,7 +101,7 @@ fn bad_rows_do_not_stop_the_others() {
         assert_eq!(row["line"], index + 2);
         let verdict = if index % 2 == 0 { "bad row" } else { "thinner than the least thickness" };
         assert_eq!(row["verdict"], verdict, "{row}");
-        assert!(index % 2 == 1 || !row["reason"].as_str().unwrap().is_empty());
+        assert!(index % 2 == 1 || !row["reason"].text().is_empty());
     }
     let last = &verdicts(&rows)[2 * bad.len()..];
     let thicker = "thicker than the least thickness";
@@ -146,7 +137,7 @@ fn results_may_be_written_by_any_program() {
         let (_, rows) = rows("--weight heyman", input);
         let found = match rows[0]["verdict"].as_str() {
             Some("bad row") => "bad row",
-            _ => rows[0]["numbers"]["thickness"]["rounding"].as_str().unwrap(),
+            _ => rows[0]["numbers"]["thickness"]["rounding"].text(),
         };
         assert_eq!((rows.len(), found), (1, rounding), "{input}: {rows:?}");
     }
@@ -160,10 +151,7 @@ fn a_double_in_hexadecimal_is_judged_by_its_own_last_place() {
         rows("--weight heyman", input).1[0]["numbers"]["thickness"].clone()
     };
     let nearest = hex("0x1.f47f2a34603cap-4");
-    assert_eq!(
-        (&nearest["rounding"], &nearest["nearest_double"]),
-        (&"correctly rounded".into(), &true.into())
-    );
+    says(&nearest, json!({"rounding": "correctly rounded", "nearest_double": true}));
     assert_eq!(nearest["error_units"], nearest["error_ulp"]);
     assert_eq!(hex("0x1.f47f2a34603ccp-4")["rounding"], "wrong");
 }

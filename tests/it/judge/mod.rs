@@ -8,7 +8,7 @@ mod round_trip;
 mod summary;
 mod verdicts;
 
-use crate::program::{fed, of_lines, text};
+use crate::program::{Json, fed, of_lines, text};
 use serde_json::Value;
 
 /// The exit code and the rows that `couplet judge -` makes of an input.
@@ -18,5 +18,5 @@ fn rows(arguments: &str, input: impl AsRef<[u8]>) -> (Option<i32>, Vec<Value>) {
 }
 
 fn verdicts(rows: &[Value]) -> Vec<&str> {
-    rows.iter().map(|row| row["verdict"].as_str().unwrap()).collect()
+    rows.iter().map(|row| row["verdict"].text()).collect()
 }

@@ -1,10 +1,10 @@
 //! Results from the literature and our own, right and with a wrong last digit.
 
 use super::{rows, verdicts};
-use crate::program::{fed, text};
+use crate::program::{Json, ended, fed, says, tells, text};
 use couplet::number::Decimal;
-use couplet::problem::Mode;
-use couplet::problem::Quantity;
+use couplet::problem::{Mode, Quantity};
+use serde_json::json;
 
 /// Cocchetti & Rizzi, Frattura ed Integrità Strutturale 51 (2020): the Heyman-like semicircle.
 const LITERATURE: &str = "alpha,mu,t_over_r,mode\n\
@@ -20,21 +20,19 @@ fn the_literature_is_right() {
     assert_eq!(code, Some(0));
     assert_eq!(rows.len(), 11);
     assert!(verdicts(&rows[..10]).iter().all(|verdict| *verdict == "correctly rounded"));
-    assert_eq!((&rows[10]["verdict"], &rows[10]["reason"]), (&"correct".into(), &"sliding".into()));
+    says(&rows[10], json!({"verdict": "correct", "reason": "sliding"}));
     let first = &rows[0]["numbers"]["thickness"];
-    assert_eq!(
-        (&first["value"], &first["error"]),
-        (&"0.10742645275542448".into(), &"0.000000453".into())
-    );
-    assert_eq!((&first["error_units"], &first["correct_digits"]), (&"0.453".into(), &"6".into()));
+    let expected = json!({
+        "value": "0.10742645275542448", "error": "0.000000453", "error_units": "0.453",
+        "correct_digits": "6",
+    });
+    says(first, expected);
     assert_eq!(rows[0]["side"], "thinner");
     let table = text(&fed(format!("judge - {arguments}"), LITERATURE).stdout);
     assert!(table.starts_with("11 rows: 11 accepted"), "{table}");
-    assert!(
-        table.contains(
-            "thickness                  10        10         0         0         0       6"
-        ),
-        "{table}"
+    tells(
+        &table,
+        ["thickness                  10        10         0         0         0       6"],
     );
 }
 
@@ -57,12 +55,11 @@ fn queries() -> String {
 
 #[test]
 fn our_own_states_are_right() {
-    for (digits, format) in
-        [("1", "csv"), ("6", "csv"), ("17", "csv"), ("17", "jsonl"), ("40", "csv")]
-    {
-        let states = fed(format!("states --digits {digits} --format {format}"), queries());
-        assert_eq!(states.status.code(), Some(0));
-        let (code, rows) = rows(&format!("--accept {digits}"), &states.stdout);
+    let asked = [("1", "csv"), ("6", "csv"), ("17", "csv"), ("17", "jsonl"), ("40", "csv")];
+    for (digits, format) in asked {
+        let line = format!("states --digits {digits} --format {format}");
+        let (states, _) = ended(0, line, queries());
+        let (code, rows) = rows(&format!("--accept {digits}"), &states);
         assert_eq!((code, rows.len()), (Some(0), 484), "{digits} {format}");
         let wrong = rows.iter().find(|row| {
             row["verdict"] != if row["can_stand"] == true { "correctly rounded" } else { "correct" }
@@ -105,14 +102,9 @@ fn a_wrong_last_digit_is_seen_everywhere() {
     assert_eq!(code, Some(0), "three digits are still right");
     let mut seen = 0;
     for number in rows.iter().flat_map(|row| row["numbers"].as_object().unwrap().values()) {
-        if number["claimed"]
-            .as_str()
-            .unwrap()
-            .parse::<Decimal>()
-            .is_ok_and(|x| x.significant_digits() == 12)
-        {
+        if number["claimed"].text().parse::<Decimal>().is_ok_and(|x| x.significant_digits() == 12) {
             assert!(number["rounding"] == "faithful" || number["rounding"] == "wrong", "{number}");
-            let digits: usize = number["correct_digits"].as_str().unwrap().parse().unwrap();
+            let digits: usize = number["correct_digits"].text().parse().unwrap();
             assert!((10..=12).contains(&digits), "{number}");
             seen += 1;
         }
@@ -128,20 +120,15 @@ fn a_mode_next_to_a_boundary_is_told_with_its_distance() {
         let input = format!("alpha,mu,eta,mode\npi/2,{friction},0.10742645,rrr\n");
         rows("--weight heyman", input).1.remove(0)
     };
-    let near = judged("0.3958320381380695");
-    assert_eq!((&near["verdict"], &near["mode"]), (&"wrong mode".into(), &"[s,r,r]".into()));
-    assert_eq!(
-        (&near["boundary"], &near["boundary_within"]),
-        (&"friction".into(), &"5e-17".into())
-    );
+    let expected = json!({
+        "verdict": "wrong mode", "mode": "[s,r,r]", "boundary": "friction",
+        "boundary_within": "5e-17",
+    });
+    says(&judged("0.3958320381380695"), expected);
     assert_eq!(judged("0.3958")["boundary_within"], "0.00005");
-    assert_eq!(judged("0.3950")["boundary"], serde_json::Value::Null, "it is not that near");
-    let table = fed("judge -", "alpha,mu,mode\npi/2,0.39500,rrr\n");
-    let table = text(&table.stdout);
-    assert!(
-        table.contains("weight: milankovitch, as neither the rows nor --weight say any"),
-        "{table}"
-    );
+    assert!(judged("0.3950")["boundary"].is_null(), "it is not that near");
+    let table = text(&fed("judge -", "alpha,mu,mode\npi/2,0.39500,rrr\n").stdout);
+    tells(&table, ["weight: milankovitch, as neither the rows nor --weight say any"]);
 }
 
 /// What joins the output with the input beside the line.

@@ -1,8 +1,8 @@
 //! What one command writes, another reads.
 
 use super::{rows, verdicts};
-use crate::program::{Scratch, fed, printed, said};
-use serde_json::Value;
+use crate::program::{Scratch, ended, fed, printed, says};
+use serde_json::json;
 
 /// Arches that stand and that do not, with and without a thickness, given in every way.
 const QUERIES: &str = "weight,half_opening,friction,thickness\nheyman,1.5,0.6,0.3\nheyman,1.5,0.6,0.05\n\
@@ -44,15 +44,14 @@ fn judge_reads_what_states_writes() {
 fn a_given_thickness_is_not_the_least() {
     let written = fed("states --format jsonl --digits 5", QUERIES);
     let (_, found) = rows("", &written.stdout);
-    assert_eq!((&found[0]["thickness"], &found[0]["stands"]), (&"0.3".into(), &true.into()));
-    assert_eq!((&found[1]["thickness"], &found[1]["stands"]), (&"0.05".into(), &false.into()));
-    assert_eq!((&found[2]["thickness"], &found[2]["stands"]), (&Value::Null, &Value::Null));
+    says(&found[0], json!({"thickness": "0.3", "stands": true}));
+    says(&found[1], json!({"thickness": "0.05", "stands": false}));
+    says(&found[2], json!({"thickness": null, "stands": null}));
     assert!(found[0]["numbers"]["geometric_safety"].is_object());
     assert!(found[2]["numbers"]["thickness"].is_object());
     // The same claims with one of them wrong.
     let spoiled = |from: &str, to: &str| {
-        let written = fed("states --format csv --digits 5", QUERIES);
-        let text = String::from_utf8(written.stdout).unwrap();
+        let (text, _) = ended(0, "states --format csv --digits 5", QUERIES);
         let (first, rest) = text.split_once("heyman,1.5,0.6,0.3").unwrap();
         let rest = format!("heyman,1.5,0.6,0.3{}", rest.replacen(from, to, 1));
         verdicts(&rows("", format!("{first}{rest}")).1)[0].to_owned()
@@ -77,9 +76,7 @@ fn judge_and_states_read_what_state_and_assess_write() {
 
 /// What is written asks the same again.
 fn asks_again(written: &[u8], what: &str, question: &str) {
-    let output = fed("states --format jsonl --digits 4", written);
-    let (code, text, message) = said(&output);
-    assert_eq!(code, Some(0), "{what}: {message} {text}");
+    let (text, _) = ended(0, "states --format jsonl --digits 4", written);
     assert!(text.lines().all(|row| row.contains(&format!("\"{question}\":"))), "{what}: {text}");
 }
 

@@ -1,8 +1,8 @@
 //! What is said of all rows, and of rows without end.
 
 use super::rows;
-use crate::program::{Scratch, couplet, start, text};
-use serde_json::Value;
+use crate::program::{Json, Scratch, couplet, ended, says, start, text};
+use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Write};
 use std::thread;
 
@@ -24,8 +24,7 @@ fn a_file_without_end_is_judged_as_it_comes() {
     drop(lines);
     writer.join().unwrap();
     let output = child.wait_with_output().unwrap();
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!((output.status.code(), message.as_str()), (Some(0), ""));
+    assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
 }
 
 /// The verdicts beside the rows are said to who runs the command within itself, as to standard error.
@@ -53,21 +52,17 @@ fn a_summary_keeps_the_worst_and_counts_all() {
     scratch.write("in.csv", &input);
     let (file, found) = (scratch.path("in.csv"), scratch.path("out.json"));
     let demand = "--weight heyman --accept 3 --format json --worst 4";
-    let output = couplet(format!("judge {file} {demand} -o {found}"));
-    assert_eq!(output.status.code(), Some(1));
-    assert_eq!(text(&output.stderr), "couplet: 4 of 3004 rows are not accepted\n");
-    let found: Value = serde_json::from_str(&scratch.read("out.json")).unwrap();
-    assert_eq!((&found["schema"], &found["rows"]), (&"couplet.judge/2".into(), &3004.into()));
-    assert_eq!(found["accepted"], 3000);
-    let lines: Vec<_> =
-        found["worst"].as_array().unwrap().iter().map(|r| r["line"].as_u64().unwrap()).collect();
+    let (_, message) = ended(1, format!("judge {file} {demand} -o {found}"), "");
+    assert_eq!(message, "couplet: 4 of 3004 rows are not accepted\n");
+    let found = scratch.json("out.json");
+    says(&found, json!({"schema": "couplet.judge/2", "rows": 3004, "accepted": 3000}));
+    let whole = |of: &Value| of.as_u64().unwrap();
+    let lines: Vec<_> = found["worst"].list().iter().map(|row| whole(&row["line"])).collect();
     // It cannot stand; too thin, with fewer digits first; too thick.
     assert_eq!(lines, [3004, 3003, 3002, 3005]);
-    let bars = found["correct_digits"].as_array().unwrap();
-    let rows: u64 = bars.iter().map(|bar| bar["rows"].as_u64().unwrap()).sum();
+    let rows: u64 = found["correct_digits"].list().iter().map(|bar| whole(&bar["rows"])).sum();
     assert_eq!(rows, 3003, "all but the one without a number");
-    let counted: u64 =
-        found["verdicts"].as_object().unwrap().values().map(|v| v.as_u64().unwrap()).sum();
+    let counted: u64 = found["verdicts"].as_object().unwrap().values().map(whole).sum();
     assert_eq!(counted, 3004);
     assert_eq!(found["numbers"]["thickness"]["judged"], 3003);
 }

@@ -23,18 +23,18 @@ fn a_scene_draws_what_the_commands_draw() {
     ] {
         assert!(tree.lines().any(|found| found == line), "{line} in\n{tree}");
     }
+    let arch = "draw --half-opening 80deg";
     for (file, command) in [
         ("seven.svg", "figure 7 --weight milankovitch"),
         ("one.svg", "figure 1 --weight milankovitch"),
         ("T.svg", "draw --at T --weight milankovitch --mode [s,r,r] --amplitude 0.05"),
         (
             "a.svg",
-            "draw --half-opening 80deg --friction 0.35 --weight milankovitch --stones 9 --half --arrows --animate",
+            &format!(
+                "{arch} --friction 0.35 --weight milankovitch --stones 9 --half --arrows --animate"
+            ),
         ),
-        (
-            "b.json",
-            "draw --half-opening 80deg --friction-angle 20deg --thickness 4/25 --format json",
-        ),
+        ("b.json", &format!("{arch} --friction-angle 20deg --thickness 4/25 --format json")),
         (
             "c.dxf",
             "draw --half-opening 1 --thickness 1 --weight heyman --mode [s,s] --dilatant --format dxf",
@@ -88,8 +88,7 @@ fn a_scene_reads_an_arch_in_metres() {
     let made = scratch.read("out/a.svg");
     assert!(caption(&made).contains("--thickness 90cm --span 18.9m --rise 4.2m"));
     assert_eq!(bare(&made), bare(&drawn));
-    let [state, assessed] = ["a", "b"]
-        .map(|of| serde_json::from_str::<Value>(&scratch.read(&format!("out/{of}.json"))).unwrap());
+    let [state, assessed] = ["a", "b"].map(|of| scratch.json(&format!("out/{of}.json")));
     let same = |entry: &Value, line: &str| {
         for (key, value) in object(format!("{line} --digits 9")).as_object().unwrap() {
             assert_eq!(&entry[key], value, "{line}: {key}");

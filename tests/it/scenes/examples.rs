@@ -1,20 +1,17 @@
 //! The scenes in `examples/`.
 
 use super::column;
-use crate::program::{Scratch, couplet, text};
+use crate::house::house;
+use crate::program::{Json, Scratch, printed, rows};
 use couplet::arch::SelfWeight;
 use couplet::certify::{CertifiedLandmark, fingerprint};
 use couplet::problem::Landmark;
-use serde_json::Value;
-use std::path::Path;
 
 /// Runs an example into a folder and gives the folder.
 fn example(name: &str) -> Scratch {
     let scratch = Scratch::new();
-    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name);
-    let output = couplet(["run", scene.to_str().unwrap(), "--output", &scratch.path("")]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert!(output.stdout.is_empty());
+    let scene = house(&format!("examples/{name}"));
+    assert_eq!(printed(["run", scene.to_str().unwrap(), "--output", &scratch.path("")]), "");
     scratch
 }
 
@@ -25,10 +22,10 @@ fn reference_constants_for_a_paper() {
     let thickness = "0.61831824107432344637443225651706527335559298950489";
     assert!(table.contains(&format!("eta = t/r           {thickness}\n")), "{table}");
     assert!(!table.contains("beta_r, rad"), "not asked for");
-    let file: Value = serde_json::from_str(&out.read("constants.json")).unwrap();
+    let file = out.json("constants.json");
     assert_eq!(file["digits"], 50);
-    assert!(file["schema"].as_str().unwrap().starts_with("couplet.constants/"));
-    let constants = file["constants"].as_array().unwrap();
+    assert!(file["schema"].text().starts_with("couplet.constants/"));
+    let constants = file["constants"].list();
     assert!(constants.iter().any(|constant| constant["value"] == thickness));
 }
 
@@ -36,11 +33,12 @@ fn reference_constants_for_a_paper() {
 fn a_table_for_the_semicircle_under_falling_friction() {
     let out = example("semicircle-friction.toml");
     let csv = out.read("semicircle.csv");
-    let (weight, friction, eta) =
-        (column(&csv, "weight"), column(&csv, "friction"), column(&csv, "thickness"));
-    assert_eq!(eta.len(), 28);
-    let of = |w: &str, mu: &str| {
-        (0..28).find(|&k| weight[k] == w && friction[k] == mu).map(|k| eta[k].as_str()).unwrap()
+    let rows = rows(csv.as_str());
+    assert_eq!(rows.len(), 28);
+    let of = |weight: &str, mu: &str| {
+        let mut of_arch =
+            rows.iter().filter(|row| row["weight"] == weight && row["friction"] == mu);
+        of_arch.next().unwrap()["thickness"].as_str()
     };
     // The literature: 0.107426, and 0.122192 with a friction of 0.38.
     assert!(of("heyman", "inf").starts_with("0.107426"), "{}", of("heyman", "inf"));

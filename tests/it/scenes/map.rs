@@ -1,7 +1,7 @@
 //! Maps and figures in scenes: as the commands write them, each curve once, and kept.
 
 use super::{HEAD, body, caption, run, scene_in};
-use crate::program::{Scratch, Words, couplet, printed, said, text};
+use crate::program::{Scratch, Words, ended, printed, tells, text};
 use couplet::scene::{Plan, SceneRun, read};
 
 const MAPS: &str = "[[map]]\ntolerance = 1e-2\nlines = true\noutput = \"lines.svg\"\n\
@@ -56,9 +56,8 @@ fn asymmetric_lines_are_those_of_the_command_and_no_level_is_bad_input() {
     let scene = scene_in(&scratch, "[[map]]\nalpha = \"170deg\"\noutput = \"none.csv\"\n");
     let (none, level) = (scratch.path("none"), "map --alpha 170deg --format csv".words());
     for arguments in [&["run", &scene, "-o", &none][..], &level] {
-        let (code, _, message) = said(&couplet(arguments));
-        assert_eq!(code, Some(2));
-        assert!(message.contains("no arch of the half opening 170deg stands"), "{message}");
+        let (_, message) = ended(2, arguments, "");
+        tells(&message, ["no arch of the half opening 170deg stands"]);
     }
 }
 

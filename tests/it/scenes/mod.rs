@@ -14,7 +14,7 @@ mod reading;
 mod resume;
 mod same;
 
-use crate::program::{Scratch, Words, couplet, said};
+use crate::program::{Scratch, Words, ended, rows};
 use couplet::scene::{Fault, read};
 
 const HEAD: &str = "schema = \"couplet.scene/1\"\n";
@@ -29,9 +29,7 @@ fn scene_in(scratch: &Scratch, text: &str) -> String {
 fn run(scratch: &Scratch, text: &str, options: &str) -> String {
     let (scene, out) = (scene_in(scratch, text), scratch.path("out"));
     let all = [&["run", &scene, "--output", &out][..], &options.words()].concat();
-    let (code, _, message) = said(&couplet(all));
-    assert_eq!(code, Some(0), "{message}");
-    message
+    ended(0, all, "").1
 }
 
 /// The words of the command that the caption of a picture names.
@@ -56,9 +54,7 @@ fn faults(text: &str) -> Vec<String> {
 
 /// A column of a CSV file.
 fn column(csv: &str, name: &str) -> Vec<String> {
-    let mut reader = csv::Reader::from_reader(csv.as_bytes());
-    let place = reader.headers().unwrap().iter().position(|header| header == name).unwrap();
-    reader.records().map(|record| record.unwrap()[place].to_owned()).collect()
+    rows(csv).into_iter().map(|mut row| row.remove(name).unwrap()).collect()
 }
 
 const ONE_THICKNESS: &str =

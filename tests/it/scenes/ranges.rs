@@ -1,7 +1,7 @@
 //! `[[arches]]` between two ends, and ranges that are cut into boxes.
 
 use super::{column, run, scene_in};
-use crate::program::{Scratch, couplet, json, object, printed, said};
+use crate::program::{Json, Scratch, ended, json, object, printed, tells, texts};
 use serde_json::Value;
 
 /// What a scene of one item writes, as JSON.
@@ -17,7 +17,7 @@ fn an_item_has_an_answer_for_each_choice() {
     let all = answer(
         "alpha = [\"1..1.2\", 1.5]\nmu = { from = 0.6, to = 0.7, steps = 2 }\nweight = \"both\"",
     );
-    let all = all.as_array().unwrap();
+    let all = all.list();
     assert_eq!(all.len(), 8);
     assert_eq!((&all[3]["weight"], &all[4]["weight"]), (&"heyman".into(), &"milankovitch".into()));
     assert_eq!(all[1]["asked"]["friction"], "0.7");
@@ -30,40 +30,35 @@ const BOXES: &str = "alpha = { from = \"78deg\", to = \"84deg\", boxes = 3 }\n\
 #[test]
 fn boxes_are_counted_by_what_is_proved_of_each() {
     let all = answer(BOXES);
-    let cells = all["cells"].as_array().unwrap();
+    let cells = all["cells"].list();
     assert_eq!((all["boxes"].as_u64(), cells.len()), (Some(36), 36));
     let mut counts = std::collections::BTreeMap::new();
     for cell in cells {
-        let asked = |name: &str| cell[name].as_str().unwrap().to_owned();
+        let asked = |name: &str| cell[name].text().to_owned();
         let [alpha, mu, eta] = ["half_opening", "friction", "thickness"].map(asked);
         let alone = object(format!("assess --alpha {alpha} --mu {mu} --eta {eta}"));
         assert_eq!(cell["outcome"], alone["outcome"]);
-        for range in alone["ranges"].as_array().unwrap() {
-            let name = range["quantity"].as_str().unwrap();
+        for range in alone["ranges"].list() {
+            let name = range["quantity"].text();
             for side in ["lower", "upper"] {
                 let value = &range[side]["value"];
                 let told = &cell[format!("{name}_{side}")];
                 assert!(told == value || range[side]["bound"] == "unbounded" && told == "inf");
             }
         }
-        *counts.entry(cell["outcome"].as_str().unwrap()).or_insert(0u64) += 1;
+        *counts.entry(cell["outcome"].text()).or_insert(0u64) += 1;
     }
     assert!(counts.len() == 3, "all three occur: {counts:?}");
-    for outcome in all["outcomes"].as_array().unwrap() {
-        let name = outcome["outcome"].as_str().unwrap();
+    for outcome in all["outcomes"].list() {
+        let name = outcome["outcome"].text();
         assert_eq!(outcome["boxes"].as_u64().unwrap(), counts.get(name).copied().unwrap_or(0));
     }
     // The last key is the fastest.
-    let etas: Vec<&str> =
-        cells[..3].iter().map(|cell| cell["thickness"].as_str().unwrap()).collect();
-    assert_eq!(etas, ["0.05..0.07", "0.07..0.09", "0.09..0.11"]);
-    let number = |of: &Value| of.as_str().unwrap().parse::<f64>().unwrap();
-    let [lower, upper] = ["lower", "upper"].map(|end| number(&all["stands"][end]));
+    assert_eq!(texts(&cells[..3], "thickness"), ["0.05..0.07", "0.07..0.09", "0.09..0.11"]);
+    let [lower, upper] = ["lower", "upper"].map(|end| all["stands"][end].number());
     let none = |name: &str| counts[name] as f64 / 36.0;
-    assert!(
-        (lower - none("all_stand")).abs() < 1e-5
-            && (1.0 - upper - none("none_stands")).abs() < 1e-5
-    );
+    assert!((lower - none("all_stand")).abs() < 1e-5);
+    assert!((1.0 - upper - none("none_stands")).abs() < 1e-5);
 }
 
 /// Half the width of each box, and so eight of them, decide no less.
@@ -72,19 +67,15 @@ fn finer_boxes_leave_less_open() {
     let both = |item: &str| {
         let all = answer(item);
         let of = |name: &str| {
-            let all = all["outcomes"].as_array().unwrap().iter();
-            let share = all.clone().find(|outcome| outcome["outcome"] == name).unwrap();
-            share["share"].as_str().unwrap().parse::<f64>().unwrap()
+            let mut all = all["outcomes"].list().iter();
+            all.find(|outcome| outcome["outcome"] == name).unwrap()["share"].number()
         };
         ["all_stand", "none_stands", "both_occur"].map(of)
     };
     let coarse = both(BOXES);
-    let fine = BOXES.replace("boxes = 3", "boxes = 6").replace("boxes = 4", "boxes = 8");
-    let fine = both(&fine);
-    assert!(
-        fine[0] >= coarse[0] && fine[1] >= coarse[1] && fine[2] < coarse[2],
-        "{coarse:?} {fine:?}"
-    );
+    let fine = both(&BOXES.replace("boxes = 3", "boxes = 6").replace("boxes = 4", "boxes = 8"));
+    assert!(fine[0] >= coarse[0] && fine[1] >= coarse[1], "{coarse:?} {fine:?}");
+    assert!(fine[2] < coarse[2], "{coarse:?} {fine:?}");
 }
 
 #[test]
@@ -94,8 +85,7 @@ fn boxes_are_a_summary_a_table_and_lengths_too() {
         eta = { from = \"12cm\", to = \"0.2m\", boxes = 4 }\nweight = \"heyman\"\n";
     let scene = scene_in(&scratch, &format!("{item}{item}output = \"a.csv\"\n"));
     let table = printed(["run", &scene, "-o", &scratch.path("out")]);
-    assert!(table.contains("8 boxes: thickness in 4, span in 2"), "{table}");
-    assert!(table.contains("part that stands: "), "{table}");
+    tells(&table, ["8 boxes: thickness in 4, span in 2", "part that stands: "]);
     let csv = scratch.read("out/a.csv");
     assert_eq!(column(&csv, "thickness")[..2], ["0.12m..0.14m", "0.12m..0.14m"]);
     let outcomes = column(&csv, "outcome");
@@ -115,17 +105,14 @@ fn boxes_without_a_thickness_can_stand_or_not() {
     let item = "alpha = { from = \"100deg\", to = \"150deg\", boxes = 5 }\nmu = { from = 0.3, to = 1.5, boxes = 4 }\n\
         weight = \"both\"";
     let all = answer(item);
-    let counts = |of: &Value| -> Vec<(String, u64)> {
-        let all = of["outcomes"].as_array().unwrap().iter();
-        all.map(|of| (of["outcome"].as_str().unwrap().to_owned(), of["boxes"].as_u64().unwrap()))
-            .collect()
+    let counts = |of: &Value| -> Vec<u64> {
+        of["outcomes"].list().iter().map(|of| of["boxes"].as_u64().unwrap()).collect()
     };
     let words = ["all_can_stand", "none_can_stand", "both_occur", "undecided"];
-    for (of, weight) in all.as_array().unwrap().iter().zip(["heyman", "milankovitch"]) {
+    for (of, weight) in all.list().iter().zip(["heyman", "milankovitch"]) {
         assert_eq!(of["weight"], weight);
-        let names: Vec<String> = counts(of).into_iter().map(|(name, _)| name).collect();
-        assert_eq!(names, words);
-        assert_eq!(counts(of).iter().map(|(_, boxes)| boxes).sum::<u64>(), 20);
+        assert_eq!(texts(of["outcomes"].list(), "outcome"), words);
+        assert_eq!(counts(of).iter().sum::<u64>(), 20);
     }
     let scratch = Scratch::new();
     run(&scratch, &format!("[[arches]]\n{item}\noutput = \"a.csv\"\n"), "");
@@ -135,7 +122,7 @@ fn boxes_without_a_thickness_can_stand_or_not() {
     assert_eq!(each.len(), header.len(), "{header:?}");
     let told = |name: &str| column(&csv, "outcome").iter().filter(|of| *of == name).count() as u64;
     for (place, word) in words.into_iter().enumerate() {
-        let sum: u64 = all.as_array().unwrap().iter().map(|of| counts(of)[place].1).sum();
+        let sum: u64 = all.list().iter().map(|of| counts(of)[place]).sum();
         assert_eq!(told(word), sum, "{word}");
     }
 }
@@ -168,8 +155,8 @@ fn a_sweep_refuses_boxes_with_what_takes_them() {
         half_opening = { from = 1, to = 2, boxes = 4 }\n";
     scratch.write("plan.toml", plan);
     let words = "is cut into boxes, which [[arches]] of a scene takes alone; give steps here";
-    let (code, _, told) =
-        said(&couplet(["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("out")]));
-    assert_eq!((code, told.lines().count()), (Some(2), 2), "{told}");
+    let asked = ["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("out")];
+    let (_, told) = ended(2, asked, "");
+    assert_eq!(told.lines().count(), 2, "{told}");
     assert!(told.contains(&format!("plan.toml:4:16: half_opening {words}")), "{told}");
 }

@@ -1,7 +1,7 @@
 //! What is read, and what is no scene at all.
 
 use super::{HEAD, faults, place, scene_in};
-use crate::program::{Scratch, couplet, fed, text};
+use crate::program::{Scratch, ended, printed, tells};
 use couplet::problem::Quantity;
 use couplet::scene::{EXAMPLE, ItemKind, MAX_BYTES, Request, read, read_bytes};
 use cpu_time::ThreadTime;
@@ -9,8 +9,7 @@ use std::time::Duration;
 
 #[test]
 fn the_example_is_a_scene_and_has_every_key() {
-    let output = couplet("run --schema");
-    assert_eq!((output.status.code(), text(&output.stdout)), (Some(0), EXAMPLE.to_owned()));
+    assert_eq!(printed("run --schema"), EXAMPLE);
     let scene = read(EXAMPLE).unwrap();
     for kind in ItemKind::ALL {
         assert!(scene.items.iter().any(|item| item.kind == kind), "{}", kind.name());
@@ -18,10 +17,8 @@ fn the_example_is_a_scene_and_has_every_key() {
             assert!(EXAMPLE.contains(&format!("\n{key} = ")), "{} {key}", kind.name());
         }
     }
-    let of_arches = Quantity::STATE.into_iter().chain(Quantity::ASSESSMENT);
-    for quantity in
-        Quantity::LANDMARK.into_iter().filter(|q| q.in_radians().is_none()).chain(of_arches)
-    {
+    let of_landmarks = Quantity::LANDMARK.into_iter().filter(|q| q.in_radians().is_none());
+    for quantity in of_landmarks.chain(Quantity::STATE).chain(Quantity::ASSESSMENT) {
         assert!(EXAMPLE.contains(quantity.name()), "{}", quantity.name());
     }
 }
@@ -44,10 +41,8 @@ fn no_scene_is_so_large_that_reading_it_takes_long() {
     let said = faults(&format!("[arches]\nfriction = 1\nhalf_opening = [{list}]\n"));
     assert!(start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
     assert_eq!(said.len(), 300_000);
-    assert_eq!(
-        said[299_999],
-        "4:600015: the half opening 9 is not between 0 and pi (180deg); did you mean 9deg?"
-    );
+    let last = "4:600015: the half opening 9 is not between 0 and pi (180deg); did you mean 9deg?";
+    assert_eq!(said[299_999], last);
 }
 
 /// The only fault of what is no scene of this version.
@@ -119,19 +114,15 @@ fn a_number_is_what_its_text_says() {
     let scene = "[arches]\nhalf_opening = \"pi/2\"\nquantities = \"thickness\"\ndigits = 40\n";
     let run = |friction: &str| {
         let path = scene_in(&scratch, &format!("{scene}friction = {friction}\n"));
-        let output = couplet(["run", &path]);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        let words = text(&output.stdout);
+        let words = printed(["run", &path]);
         words.split_whitespace().find(|word| word.starts_with("0.1")).unwrap().to_owned()
     };
-    assert_eq!(
-        run("0.350000000000000000001"),
-        run("\"350000000000000000001/1000000000000000000000\"")
-    );
-    assert_ne!(run("0.350000000000000000001"), run("0.35"));
-    assert_eq!(run("0.35"), run("\"7/20\""));
-    assert_eq!(run("+3.5e-1"), run("0.35"));
-    assert_eq!(run("0.3_5"), run("0.35"));
+    let near = run("0.350000000000000000001");
+    assert_eq!(near, run("\"350000000000000000001/1000000000000000000000\""));
+    assert_ne!(near, run("0.35"));
+    for same in ["\"7/20\"", "+3.5e-1", "0.3_5"] {
+        assert_eq!(run(same), run("0.35"), "{same}");
+    }
 }
 
 #[test]
@@ -141,14 +132,12 @@ fn a_range_has_both_its_ends_and_exact_steps() {
          friction = {{ from = 0.4, to = 1, steps = 4 }}\n"
     ));
     let Request::Arches { arches, .. } = &scene.unwrap().items[0].what else { panic!() };
-    let texts: Vec<(String, String)> = arches
+    let texts: Vec<String> = arches
         .iter()
-        .map(|one| (one.arch.half_opening().to_string(), one.arch.friction().to_string()))
+        .map(|one| format!("{} {}", one.arch.half_opening(), one.arch.friction()))
         .collect();
     assert_eq!(texts.len(), 12);
-    assert_eq!(texts[0], ("pi/6".to_owned(), "0.4".to_owned()));
-    assert_eq!(texts[5], ("pi/3".to_owned(), "0.6".to_owned()));
-    assert_eq!(texts[11], ("pi/2".to_owned(), "1".to_owned()));
+    assert_eq!([&texts[0], &texts[5], &texts[11]], ["pi/6 0.4", "pi/3 0.6", "pi/2 1"]);
 }
 
 /// Steps go from degrees to a multiple of pi, and with lengths, as a deviation does.
@@ -173,10 +162,7 @@ fn steps_have_the_units_of_every_range() {
 #[test]
 fn a_scene_may_come_from_standard_input() {
     let one = "[constants]\nlandmarks = \"T\"\nquantities = \"thickness\"\ndigits = 12\n";
-    let output = fed("run -", format!("{HEAD}{one}"));
-    assert_eq!(output.status.code(), Some(0));
-    assert!(text(&output.stdout).contains("0.618318241074"));
-    let output = fed("run -", one);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).starts_with("standard input:1:1: schema is missing; "));
+    tells(&ended(0, "run -", format!("{HEAD}{one}")).0, ["0.618318241074"]);
+    let (_, message) = ended(2, "run -", one);
+    assert!(message.starts_with("standard input:1:1: schema is missing; "), "{message}");
 }

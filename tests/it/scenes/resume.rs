@@ -1,7 +1,7 @@
 //! A run goes on where it was.
 
 use super::{THREE, scene_in};
-use crate::program::{Scratch, command, couplet, said as said_whole, text};
+use crate::program::{Scratch, command, couplet, said as said_whole, tells, text};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
@@ -35,10 +35,8 @@ fn a_run_is_the_same_every_time() {
             .output()
             .unwrap();
         assert_eq!(output.status.code(), Some(0));
-        assert_eq!(
-            scratch.files(folder),
-            ["claims.json", "constants.json", "couplet-run.json", "deep"]
-        );
+        let files = ["claims.json", "constants.json", "couplet-run.json", "deep"];
+        assert_eq!(scratch.files(folder), files);
         let files = ["claims.json", "constants.json", "couplet-run.json", "deep/arches.csv"];
         let contents = files.map(|name| scratch.read(&format!("{folder}/{name}")));
         all.push((contents, output.stdout));
@@ -55,22 +53,12 @@ fn resuming_keeps_what_is_complete_by_its_content() {
     let resume = || couplet(["run", &scene, "--output", &out, "--resume"]);
     let all = ["constants.json", "arches.csv", "claims.json"];
     assert!(kept(&resume()).is_empty(), "nothing is there yet");
-    let first = all.map(|name| {
-        fs::read(scratch.folder().join("out").join(if name == "arches.csv" {
-            "deep/arches.csv"
-        } else {
-            name
-        }))
-        .unwrap()
-    });
+    let paths = ["constants.json", "deep/arches.csv", "claims.json"];
+    let first = paths.map(|name| scratch.read(&format!("out/{name}")));
     assert_eq!(kept(&resume()), all);
     // What is printed is printed again, and is all that is computed.
     let again = couplet(["run", &scene, "--output", &out, "--resume", "--explain"]);
-    assert!(
-        text(&again.stderr).contains("to compute: 1 arch, each once"),
-        "{}",
-        text(&again.stderr)
-    );
+    tells(&text(&again.stderr), ["to compute: 1 arch, each once"]);
     // Without --resume everything is written anew.
     assert!(kept(&couplet(["run", &scene, "--output", &out])).is_empty());
 
@@ -79,17 +67,15 @@ fn resuming_keeps_what_is_complete_by_its_content() {
     assert_eq!(kept(&resume()), ["constants.json", "claims.json"]);
     fs::remove_file(scratch.path("out/claims.json")).unwrap();
     assert_eq!(kept(&resume()), ["constants.json", "arches.csv"]);
-    for (name, content) in ["constants.json", "deep/arches.csv", "claims.json"].iter().zip(first) {
-        assert_eq!(fs::read(scratch.folder().join("out").join(name)).unwrap(), content, "{name}");
+    for (name, content) in paths.into_iter().zip(first) {
+        assert_eq!(scratch.read(&format!("out/{name}")), content, "{name}");
     }
 
     // Something else is asked: of one item, of all that have digits, or of none.
     scene_in(&scratch, &THREE.replace("prove = [\"eq-7\", ", "prove = ["));
     assert_eq!(kept(&resume()), ["constants.json", "arches.csv"]);
-    scene_in(
-        &scratch,
-        &THREE.replace("prove = [\"eq-7\", ", "prove = [").replace("digits = 20", "digits = 21"),
-    );
+    let fewer = THREE.replace("prove = [\"eq-7\", ", "prove = [");
+    scene_in(&scratch, &fewer.replace("digits = 20", "digits = 21"));
     assert_eq!(kept(&resume()), ["claims.json"]);
     scene_in(&scratch, THREE);
     resume();
@@ -101,10 +87,7 @@ fn resuming_keeps_what_is_complete_by_its_content() {
         fs::write(scratch.path("out/couplet-run.json"), record).unwrap();
         let (code, _, message) = said_whole(&resume());
         assert_eq!((code, message.lines().count()), (Some(2), 1), "{message}");
-        assert!(
-            message.contains("is not the record of a run; --overwrite replaces it"),
-            "{message}"
-        );
+        tells(&message, ["is not the record of a run; --overwrite replaces it"]);
         assert_eq!(scratch.read("out/couplet-run.json"), record);
         let over = couplet(["run", &scene, "--output", &out, "--resume", "--overwrite"]);
         assert!(kept(&over).is_empty(), "{record}");
