@@ -2,11 +2,10 @@
 //! macro reads the formula and chooses the precision of every step itself. At the middle of a certified state the
 //! values lie in what balls enclose over all of it; with one sign changed they do not.
 
-use crate::arches::{M, arch};
+use crate::arches::{M, arch, at_landmark};
 use astro_float::ctx::Context;
 use astro_float::{BigFloat, Consts, RoundingMode, Sign, WORD_BIT_SIZE, Word, expr};
-use couplet::arch::{cubic, thrust};
-use couplet::certify::CertifiedLandmark;
+use couplet::arch::{Unknown, cubic, thrust};
 use couplet::certify::state::{Certify, Outcome};
 use couplet::number::{Angle, Ball, Field, Magnitude};
 use couplet::problem::{Landmark, Mode};
@@ -111,16 +110,14 @@ fn expressions_agree_at_ordinary_arches() {
 /// Next to `sb` the radicand nearly vanishes; next to `l` the joint does, and everything with it.
 #[test]
 fn expressions_agree_next_to_the_widest_joint_and_to_the_end() {
-    for (landmark, steps) in
-        [(Landmark::WidestJoint, [-20i32, 20, -40]), (Landmark::RotationEnd, [-9, -20, -30])]
-    {
-        let point = CertifiedLandmark::new(landmark, M).unwrap().enclosure(BITS).unwrap();
-        let alpha = point.configuration().half_opening.rad.mid().to_rational().unwrap();
+    let ends =
+        [(Landmark::WidestJoint, [-20i32, 20, -40]), (Landmark::RotationEnd, [-9, -20, -30])];
+    for (landmark, steps) in ends {
+        let alpha = at_landmark(landmark, M, Unknown::HalfOpening, BITS);
+        let alpha = alpha.mid().to_rational().unwrap();
         for places in steps {
-            let step = Rational::from((
-                places.signum(),
-                Integer::from(Integer::u_pow_u(10, places.unsigned_abs())),
-            ));
+            let below = Integer::from(Integer::u_pow_u(10, places.unsigned_abs()));
+            let step = Rational::from((places.signum(), below));
             agree(&(alpha.clone() + step).to_string());
         }
     }

@@ -52,7 +52,8 @@ fn measures() -> Measures {
 fn of_an_arch(digits: usize) -> Vec<(&'static str, Option<Refused>)> {
     let (arch, eta, mu) = (arch(M, "1", "0.6"), number("0.1"), "0.6".parse().unwrap());
     let question = Question::Friction { half_opening: number("1"), thickness: None };
-    let measures = measures();
+    let (measures, inner) = (measures(), AsymmetricMode::InnerSliding);
+    let by_mpfr = Inquiry::new(&arch, digits, false);
     let least = match arch.least(digits) {
         Err(NoState::Refused(refused)) => Some(refused),
         _ => None,
@@ -63,20 +64,14 @@ fn of_an_arch(digits: usize) -> Vec<(&'static str, Option<Refused>)> {
         ("certify_alone", arch.certify_alone(digits).refused()),
         ("certify_thickness", arch.certify_thickness(&eta, digits).refused()),
         ("Inquiry::state", Inquiry::new(&arch, digits, true).state(digits, true).refused()),
-        (
-            "Inquiry::assess",
-            Inquiry::new(&arch, digits, false).assess(&eta, digits, Wanted::Everything).refused(),
-        ),
+        ("Inquiry::assess", by_mpfr.assess(&eta, digits, Wanted::Everything).refused()),
         ("SharedOpening", SharedOpening::new(M, number("1"), digits).refused()),
         ("SharedOpenings", SharedOpenings::new(Balls::DoubleDoubles, digits, true).refused()),
         ("find", find(M, &question, digits).refused()),
         ("measured_state", measured_state(&arch, &measures, digits).refused()),
         ("measured_assessment", measured_assessment((&arch, &eta), &measures, digits).refused()),
         ("certify_arch", certify_arch(&arch, None, digits).refused()),
-        (
-            "certify_asymmetric",
-            certify_asymmetric(&arch, AsymmetricMode::InnerSliding, digits).refused(),
-        ),
+        ("certify_asymmetric", certify_asymmetric(&arch, inner, digits).refused()),
         ("asymmetric", asymmetric(&arch, digits).refused()),
         ("voussoirs", voussoirs(&stones(7), M, &mu, digits).refused()),
         ("assess_voussoirs", assess_voussoirs(&stones(7), M, &mu, &eta, digits).refused()),
@@ -116,10 +111,8 @@ fn no_door_of_a_landmark_answers_to_no_digits_or_to_too_many() {
         let with_another = [(Quantity::Thickness, 5), (Quantity::Thrust, asked)];
         assert_eq!(triple.constants_of(&with_another).refused(), expected);
         assert_eq!(certify_landmark(Landmark::Triple, H, asked).refused(), expected);
-        let Err(NoPoint::Refused(of_a_curve)) = point(Curve::Rotation, H, &number("1"), asked)
-        else {
-            panic!("{asked}")
-        };
+        let of_a_curve = point(Curve::Rotation, H, &number("1"), asked);
+        let Err(NoPoint::Refused(of_a_curve)) = of_a_curve else { panic!("{asked}") };
         assert_eq!(Some(of_a_curve), expected);
         let hashed = Some(Refused::Digits { asked, most: MAX_FINGERPRINT_DIGITS });
         assert_eq!(fingerprint(&triple, asked).refused(), hashed);
@@ -138,11 +131,10 @@ fn what_is_no_thickness_is_said_to_be_none_for_the_true_reason() {
         // It is 0.157.
         ("pi/20", "the thickness pi/20 is no ratio of thickness to radius (0.12, 3/25)"),
     ] {
-        let eta = number(text);
-        let question =
-            Question::Friction { half_opening: number("1"), thickness: Some(number(text)) };
-        let friction = "0.6".parse().unwrap();
-        let widest = Question::HalfOpening { friction, thickness: Some(number(text)) };
+        let (eta, friction) = (number(text), "0.6".parse().unwrap());
+        let given = || Some(number(text));
+        let question = Question::Friction { half_opening: number("1"), thickness: given() };
+        let widest = Question::HalfOpening { friction, thickness: given() };
         let doors = [
             find(M, &widest, 5).refused(),
             arch.certify_thickness(&eta, 5).refused(),
@@ -192,10 +184,8 @@ fn one_error_holds_what_was_asked_wrongly_and_what_stayed_open() {
     }
     assert!(asked("1", Quantity::Thickness).is_ok());
     let told = |half_opening, quantity| asked(half_opening, quantity).unwrap_err().to_string();
-    assert!(
-        told("1", Quantity::Friction)
-            .starts_with("there is no friction here; the quantities are thickness, ")
-    );
+    let why = "there is no friction here; the quantities are thickness, ";
+    assert!(told("1", Quantity::Friction).starts_with(why));
     assert!(told("4", Quantity::Thickness).contains("is not between 0 and pi"));
     assert!(told("x", Quantity::Thickness).contains("'x'"));
     // No candidate is found where no asymmetric solution is: that is open, and was asked rightly.

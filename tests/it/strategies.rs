@@ -1,12 +1,11 @@
 //! The strategies draw what they promise, hard arches too, and a failure shrinks to one that can be read.
 
+use crate::arches::at_landmark;
 use crate::hard::{config, fixed};
 use couplet::arch::{SelfWeight, Unknown};
-use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Answer, Certify};
 use couplet::number::{Ball, ExactNumber};
-use couplet::problem::Friction;
-use couplet::problem::{Landmark, Mode};
+use couplet::problem::{Friction, Landmark, Mode};
 use couplet::strategies::{DrawnQuery, arch, assessed, collapsing, query, standing};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -55,8 +54,7 @@ fn every_query_is_in_the_domain_and_hard_ones_are_among_them() {
     assert!(queries.iter().any(|query| matches!(query.friction, Friction::Angle(_))));
     for landmark in Landmark::ALL {
         for weight in SelfWeight::ALL {
-            let point = CertifiedLandmark::new(landmark, weight).unwrap();
-            let at = point.enclosure(128).unwrap().value(Unknown::HalfOpening).unwrap();
+            let at = at_landmark(landmark, weight, Unknown::HalfOpening, 128);
             let near = |query: &&DrawnQuery| {
                 let gap = query.half_opening.enclosure::<Ball>(128) - &at;
                 query.weight == weight && gap.mid().to_f64().abs() < 1e-8

@@ -1,20 +1,18 @@
 //! Certified states on either side of `l` lie next to the common tangent.
 
 use super::{BITS, Tangent};
+use crate::arches::at_landmark;
 use crate::hard::config;
-use couplet::arch::{SelfWeight, thrust};
-use couplet::certify::CertifiedLandmark;
+use couplet::arch::{SelfWeight, Unknown, thrust};
 use couplet::certify::state::{Certify, Outcome};
 use couplet::number::{Angle, Ball};
-use couplet::problem::{Arch, Friction};
-use couplet::problem::{Landmark, Mode};
+use couplet::problem::{Arch, Friction, Landmark, Mode};
 use proptest::prelude::*;
 use rug::{Rational, ops::Pow};
 
 /// The purely rotational or overturning state at a half opening `step` away from that of `l`.
 fn state(weight: SelfWeight, step: &Rational) -> (Ball, couplet::certify::state::State) {
-    let point = CertifiedLandmark::new(Landmark::RotationEnd, weight).unwrap();
-    let alpha = point.enclosure(BITS).unwrap().configuration().half_opening.rad.clone();
+    let alpha = at_landmark(Landmark::RotationEnd, weight, Unknown::HalfOpening, BITS);
     let alpha = alpha.mid().to_rational().unwrap() + step;
     let text = format!("{}/{}", alpha.numer(), alpha.denom());
     let arch = Arch::new(weight, text.parse().unwrap(), Friction::Infinite).unwrap();

@@ -172,11 +172,8 @@ fn overturning_starts_at_l_and_ends_at_big_l() {
             }
         }
     }
-    let limit = |landmark, weight| at(landmark, weight).half_opening.rad;
-    let (l, big_l) = (
-        limit(Landmark::RotationEnd, SelfWeight::Heyman),
-        limit(Landmark::OverturningEnd, SelfWeight::Milankovitch),
-    );
+    let l = at(Landmark::RotationEnd, SelfWeight::Heyman).half_opening.rad;
+    let big_l = at(Landmark::OverturningEnd, SelfWeight::Milankovitch).half_opening.rad;
     assert!(is_zero(&(l - &big_l)), "alpha_l of Heyman is alpha_L of Milankovitch");
 }
 

@@ -40,12 +40,8 @@ fn image_in(system: &System, values: &[Ball], prec: usize) -> Option<Vec<AstroIn
     let radius = Float::with_val(128, 1) >> 100;
     let domain: Vec<_> = values
         .iter()
-        .map(|x| {
-            interval(
-                &Float::with_val(256, mid(x) - &radius),
-                &Float::with_val(256, mid(x) + &radius),
-            )
-        })
+        .map(|x| Float::with_val(256, mid(x)))
+        .map(|x| interval(&(x.clone() - &radius), &(x + &radius)))
         .collect();
     let floats: Vec<Float> = values.iter().map(mid).collect();
     let at = system.place(Configuration::zero(&Float::new(128)), &floats);

@@ -1,10 +1,9 @@
 //! On both sides of every border between modes, as near to it as can be told and nearer.
 
 use super::{BOTH, beside, digits, float_text, frictions, proved_twice};
-use crate::arches::{H, M, arch};
+use crate::arches::{H, M, arch, at_landmark};
 use couplet::Error;
 use couplet::arch::Unknown;
-use couplet::certify::CertifiedLandmark;
 use couplet::certify::Open;
 use couplet::certify::state::{Answer, Certify, Fall, Outcome};
 use couplet::number::Ball;
@@ -20,17 +19,11 @@ fn the_ends_of_the_branches_are_approached_from_both_sides() {
             (Landmark::WidestJoint, Some(Mode::Rotational), Some(Mode::Rotational)),
         ] {
             for exponent in [10, 30] {
-                let at = |up| beside(landmark, weight, Unknown::HalfOpening, exponent, up);
-                assert_eq!(
-                    proved_twice(weight, &at(false), "inf"),
-                    below,
-                    "{landmark:?} {exponent}"
-                );
-                assert_eq!(
-                    proved_twice(weight, &at(true), "inf"),
-                    above,
-                    "{landmark:?} {exponent}"
-                );
+                let found = [false, true].map(|up| {
+                    let alpha = beside(landmark, weight, Unknown::HalfOpening, exponent, up);
+                    proved_twice(weight, &alpha, "inf")
+                });
+                assert_eq!(found, [below, above], "{landmark:?} {exponent}");
             }
         }
         for friction in ["1e12", "7"] {
@@ -106,10 +99,7 @@ fn around_the_triple_point() {
 fn between_shift_and_junction() {
     for weight in BOTH {
         let (mut modes, steps) = (Vec::new(), 6);
-        let at = |landmark| {
-            let point = CertifiedLandmark::new(landmark, weight).unwrap();
-            point.enclosure(200).unwrap().value(Unknown::HalfOpening).unwrap().mid().to_f64()
-        };
+        let at = |of| at_landmark(of, weight, Unknown::HalfOpening, 200).mid().to_f64();
         for step in -1..=steps + 1 {
             let part = f64::from(step) / f64::from(steps);
             let (s, j) = (at(Landmark::Shift), at(Landmark::Junction));
@@ -128,13 +118,10 @@ fn between_shift_and_junction() {
 #[test]
 fn states_end_in_the_landmarks() {
     for weight in BOTH {
-        for (landmark, up) in
-            [(Landmark::Triple, true), (Landmark::Shift, true), (Landmark::Junction, true)]
-        {
-            let point = CertifiedLandmark::new(landmark, weight).unwrap();
-            let truth = point.enclosure(300).unwrap().value(Unknown::Thickness).unwrap();
+        for landmark in [Landmark::Triple, Landmark::Shift, Landmark::Junction] {
+            let truth = at_landmark(landmark, weight, Unknown::Thickness, 300);
             let alpha = beside(landmark, weight, Unknown::HalfOpening, 90, false);
-            let mu = beside(landmark, weight, Unknown::Friction, 40, up);
+            let mu = beside(landmark, weight, Unknown::Friction, 40, true);
             let state = digits(weight, &alpha, &mu, 30);
             let near = Ball::enclosing(&state.thickness.decimal.value.to_rational(), 300);
             let gap = (near - truth).mid().to_f64().abs();
@@ -163,8 +150,7 @@ fn beyond_the_last_precision_the_answer_is_undecided() {
 /// whether a larger one would be enough for rotation.
 #[test]
 fn a_friction_decides_where_the_end_of_rotation_cannot_be_told() {
-    let point = CertifiedLandmark::new(Landmark::RotationEnd, H).unwrap();
-    let end = point.enclosure(40_000).unwrap().value(Unknown::HalfOpening).unwrap();
+    let end = at_landmark(Landmark::RotationEnd, H, Unknown::HalfOpening, 40_000);
     let half_opening = float_text(end.mid(), 11_000);
     let arch = arch(H, &half_opening, "2");
     let Ok(Answer::Stands(state)) = arch.certify_alone(10) else { panic!() };

@@ -1,11 +1,9 @@
 //! Beside the line `beta_r = 0`, on which the joint of `[r,s,r]` reaches the crown and `[r,s]` begins.
 
 use super::float_text;
-use crate::arches::{H, M, arch};
+use crate::arches::{H, M, at_landmark};
 use crate::hard::config;
 use couplet::arch::{Configuration, SelfWeight, Unknown, sliding};
-use couplet::certify::CertifiedLandmark;
-use couplet::certify::state::{Answer, Certify};
 use couplet::number::{Angle, Dual};
 use couplet::problem::{Equation, Landmark, Mode};
 use couplet::solve::settle;
@@ -36,21 +34,16 @@ fn proved_beside(weight: SelfWeight, h: &Float, exponent: u32, above: bool, digi
     let factor = if above { 1 + hair } else { 1 - hair };
     let text = |x: &Float| float_text(x, exponent as usize + 30);
     let (alpha, mu) = (text(&(alpha * factor)), text(&mu));
-    match arch(weight, &alpha, &mu).certify(digits) {
-        Ok(Answer::Stands(state)) => {
-            let modes: &[Mode] = match above {
-                true => &[Mode::OverturningSliding],
-                false => &[Mode::RotationalSlidingRotational, Mode::RotationalSliding],
-            };
-            assert!(modes.contains(&state.mode), "{weight:?} {alpha} {mu}: {:?}", state.mode);
-        }
-        other => panic!("{weight:?} {alpha} {mu} {digits}: {other:?}"),
-    }
+    let modes: &[Mode] = match above {
+        true => &[Mode::OverturningSliding],
+        false => &[Mode::RotationalSlidingRotational, Mode::RotationalSliding],
+    };
+    let mode = super::digits(weight, &alpha, &mu, digits).mode;
+    assert!(modes.contains(&mode), "{weight:?} {alpha} {mu}: {mode:?}");
 }
 
 fn largest_thrust(weight: SelfWeight) -> Float {
-    let junction = CertifiedLandmark::new(Landmark::Junction, weight).unwrap();
-    junction.enclosure(400).unwrap().value(Unknown::Thrust).unwrap().mid().clone()
+    at_landmark(Landmark::Junction, weight, Unknown::Thrust, 400).mid().clone()
 }
 
 proptest! {
@@ -93,8 +86,7 @@ fn the_number_of_digits_decides_nothing() {
         (H, "2.604264540182121955", "1.8"),
     ] {
         for digits in [8, 15, 17, 20, 29, 30, 31, 40, 50] {
-            let found = arch(weight, alpha, mu).certify(digits);
-            assert!(matches!(found, Ok(Answer::Stands(_))), "{alpha} {mu} {digits}: {found:?}");
+            super::digits(weight, alpha, mu, digits);
         }
     }
 }
@@ -103,16 +95,11 @@ fn the_number_of_digits_decides_nothing() {
 #[test]
 fn beside_the_end_of_rotation_a_large_friction_slides() {
     for weight in [H, M] {
-        let end = CertifiedLandmark::new(Landmark::RotationEnd, weight).unwrap();
-        let end = end.enclosure(6000).unwrap().value(Unknown::HalfOpening).unwrap().mid().clone();
+        let end = at_landmark(Landmark::RotationEnd, weight, Unknown::HalfOpening, 6000);
         for (exponent, mu) in [(300, "1e150"), (500, "1e400"), (800, "1e400")] {
             let hair = Float::with_val(6000, 10).pow(-exponent);
-            let alpha = float_text(&(end.clone() - hair), 1500);
-            let found = arch(weight, &alpha, mu).certify(20);
-            assert!(
-                matches!(found, Ok(Answer::Stands(_))),
-                "{weight:?} {exponent} {mu}: {found:?}"
-            );
+            let alpha = float_text(&(end.mid().clone() - hair), 1500);
+            super::digits(weight, &alpha, mu, 20);
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::hard::{config, millionths, weights};
 use couplet::arch::SelfWeight;
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::find::{Finding, Found, Given, Question, find};
-use couplet::certify::state::{Answer, Certify};
+use couplet::certify::state::{Answer, Certify, Enough};
 use couplet::number::{Ball, ExactNumber};
 use couplet::problem::{Friction, Landmark, Line, Mode, Quantity};
 use proptest::prelude::*;
@@ -133,23 +133,19 @@ fn with_less_than_the_least_friction_nothing_stands() {
     for weight in BOTH {
         for half_opening in ["1e-9", "0.3", "pi/2", "2.4", "2.55", "2.62", "2.64"] {
             for thickness in [None, Some("1.7")] {
-                let half_opening_number = number(half_opening);
-                let question = Question::Friction {
-                    half_opening: half_opening_number,
-                    thickness: thickness.map(number),
-                };
+                let given = (number(half_opening), thickness.map(number));
+                let question = Question::Friction { half_opening: given.0, thickness: given.1 };
+                let eta = thickness.unwrap_or("2");
                 let found = match find(weight, &question, 40).unwrap() {
                     Finding::Found(found) => found,
                     // Wider than any friction carries at that thickness.
                     Finding::Nothing(_) => {
-                        let eta = thickness.unwrap_or("2");
                         assert!(!stands(weight, half_opening, "inf", eta), "{half_opening}");
                         continue;
                     }
                     Finding::Beyond(..) => panic!("no line is asked for"),
                 };
                 let [less, more] = around(&found, Quantity::Friction, 30);
-                let eta = thickness.unwrap_or("2");
                 assert!(stands(weight, half_opening, &more, eta), "{half_opening} {eta}");
                 assert!(!stands(weight, half_opening, &less, eta), "{half_opening} {eta}");
             }
@@ -241,6 +237,13 @@ fn beside_a_line_there_is_no_boundary() {
     }
 }
 
+fn enough(weight: SelfWeight, half_opening: &str, friction: &str, digits: usize) -> Box<Enough> {
+    match arch(weight, half_opening, friction).certify(digits) {
+        Ok(Answer::Falls { enough: Some(enough), .. }) => enough,
+        other => panic!("{half_opening} {friction}: {other:?}"),
+    }
+}
+
 /// An arch that falls says what would be enough, and that is just enough.
 #[test]
 fn what_falls_says_what_would_be_enough() {
@@ -251,27 +254,21 @@ fn what_falls_says_what_would_be_enough() {
         (H, "1e-20", "1e-70"),
         (H, "2.75", "1.9"),
     ] {
-        let Ok(Answer::Falls { enough: Some(enough), .. }) =
-            arch(weight, half_opening, friction).certify(40)
-        else {
-            panic!("{half_opening} {friction}")
-        };
+        let enough = enough(weight, half_opening, friction, 40);
         let hair = Rational::from((1, 1)) / rug::Integer::from(rug::Integer::u_pow_u(10, 30));
-        let beside = |value: &Rational, up: bool| {
-            let part = if up { Rational::from(1) + &hair } else { Rational::from(1) - &hair };
-            float_text(&Float::with_val(400, &(value.clone() * part)), 100)
+        let beside = |value: &Rational| {
+            [Rational::from(1) - &hair, Rational::from(1) + &hair]
+                .map(|part| float_text(&Float::with_val(400, &(value.clone() * part)), 100))
         };
         let least = enough.friction.unwrap().decimal.value.to_rational();
-        assert!(mode(weight, half_opening, &beside(&least, true)).is_some());
-        assert!(mode(weight, half_opening, &beside(&least, false)).is_none());
+        let stands = beside(&least).map(|mu| mode(weight, half_opening, &mu).is_some());
+        assert_eq!(stands, [false, true]);
         let widest = enough.half_opening.unwrap().decimal.value.to_rational();
-        assert!(mode(weight, &beside(&widest, false), friction).is_some());
-        assert!(mode(weight, &beside(&widest, true), friction).is_none());
+        let stands = beside(&widest).map(|alpha| mode(weight, &alpha, friction).is_some());
+        assert_eq!(stands, [true, false]);
         assert!(enough.sliding_friction.unwrap().decimal.value.to_rational() <= least);
     }
     // Too wide for any friction.
-    let Ok(Answer::Falls { enough: Some(enough), .. }) = arch(M, "2.65", "5").certify(10) else {
-        panic!()
-    };
+    let enough = enough(M, "2.65", "5", 10);
     assert!(enough.friction.is_none() && enough.half_opening.is_some());
 }

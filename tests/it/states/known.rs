@@ -2,6 +2,7 @@
 
 use super::{digits, frictions, mode};
 use crate::arches::{H, M, arch};
+use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Certify, Fall};
 use couplet::problem::Mode;
 
@@ -10,15 +11,17 @@ use couplet::problem::Mode;
 fn the_semicircle_agrees_with_the_literature() {
     let rotational = digits(H, "pi/2", "0.5", 6);
     assert_eq!(rotational.mode, Mode::Rotational);
-    assert_eq!(rotational.thickness.decimal.value.to_string(), "0.107426");
-    assert_eq!(rotational.rotation_joint.decimal.value.to_string(), "0.951141");
+    let limits = frictions(&rotational);
+    for (figure, text) in [
+        (&rotational.thickness, "0.107426"),
+        (&rotational.rotation_joint, "0.951141"),
+        (limits.rotational.as_ref().unwrap(), "0.395832"),
+        (&limits.sliding, "0.309215"),
+    ] {
+        assert_eq!(figure.decimal.value.to_string(), text);
+    }
     assert!((rotational.thrust.double - 0.621772).abs() < 1e-6);
-    assert_eq!(
-        frictions(&rotational).rotational.as_ref().unwrap().decimal.value.to_string(),
-        "0.395832"
-    );
-    assert_eq!(frictions(&rotational).sliding.decimal.value.to_string(), "0.309215");
-    let table = [
+    for (friction, thickness) in [
         ("0.39", "0.112750"),
         ("0.38", "0.122192"),
         ("0.37", "0.132031"),
@@ -28,38 +31,34 @@ fn the_semicircle_agrees_with_the_literature() {
         ("0.33", "0.175448"),
         ("0.32", "0.187338"),
         ("0.31", "0.199653"),
-    ];
-    for (friction, thickness) in table {
+    ] {
         let state = digits(H, "pi/2", friction, 6);
         assert_eq!(state.mode, Mode::SlidingRotational);
         assert_eq!(state.thickness.decimal.value.to_string(), thickness, "{friction}");
     }
-    assert!(matches!(
-        arch(H, "pi/2", "0.309").certify(6),
-        Ok(Answer::Falls { fall: Fall::Sliding, .. })
-    ));
+    assert_eq!(fall(H, "pi/2", "0.309"), Fall::Sliding);
+}
+
+fn fall(weight: SelfWeight, half_opening: &str, friction: &str) -> Fall {
+    match arch(weight, half_opening, friction).certify(10) {
+        Ok(Answer::Falls { fall, .. }) => fall,
+        other => panic!("{half_opening} {friction}: {other:?}"),
+    }
 }
 
 #[test]
 fn every_mode_is_met_where_the_map_has_it() {
-    assert_eq!(mode(M, "2.43", "1.5"), Mode::Rotational);
-    assert_eq!(mode(M, "2.3", "1.05"), Mode::SlidingRotational);
-    assert_eq!(mode(M, "2.45", "1.35"), Mode::RotationalSliding);
-    assert_eq!(mode(M, "2.533", "1.545"), Mode::RotationalSlidingRotational);
-    assert_eq!(mode(M, "2.57", "1.75"), Mode::OverturningSliding);
-    assert_eq!(mode(M, "2.62", "inf"), Mode::Overturning);
-    assert_eq!(mode(H, "2.7", "inf"), Mode::Overturning);
-    assert!(matches!(
-        arch(M, "2.65", "5").certify(10),
-        Ok(Answer::Falls { fall: Fall::Thickness, .. })
-    ));
-    assert!(matches!(
-        arch(M, "2.65", "inf").certify(10),
-        Ok(Answer::Falls { fall: Fall::Thickness, .. })
-    ));
-    assert!(matches!(
-        arch(M, "3.1", "1").certify(10),
-        Ok(Answer::Falls { fall: Fall::Sliding, .. })
-    ));
-    assert!(matches!(arch(M, "1", "0").certify(10), Ok(Answer::Falls { fall: Fall::Sliding, .. })));
+    for (weight, half_opening, friction, expected) in [
+        (M, "2.43", "1.5", Mode::Rotational),
+        (M, "2.3", "1.05", Mode::SlidingRotational),
+        (M, "2.45", "1.35", Mode::RotationalSliding),
+        (M, "2.533", "1.545", Mode::RotationalSlidingRotational),
+        (M, "2.57", "1.75", Mode::OverturningSliding),
+        (M, "2.62", "inf", Mode::Overturning),
+        (H, "2.7", "inf", Mode::Overturning),
+    ] {
+        assert_eq!(mode(weight, half_opening, friction), expected, "{half_opening} {friction}");
+    }
+    assert_eq!(["5", "inf"].map(|mu| fall(M, "2.65", mu)), [Fall::Thickness; 2]);
+    assert_eq!([fall(M, "3.1", "1"), fall(M, "1", "0")], [Fall::Sliding; 2]);
 }

@@ -13,18 +13,14 @@ mod random;
 mod small;
 mod widths;
 
-use crate::arches::arch;
+use crate::arches::{arch, at_landmark, stands};
 use couplet::arch::{SelfWeight, Unknown};
-use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Answer, Certify, Digits, Figure, Frictions, Outcome};
 use couplet::problem::{Landmark, Mode};
 use rug::Float;
 
 fn digits(weight: SelfWeight, half_opening: &str, friction: &str, digits: usize) -> Box<Digits> {
-    match arch(weight, half_opening, friction).certify(digits) {
-        Ok(Answer::Stands(state)) => state,
-        other => panic!("{weight:?} {half_opening} {friction}: {other:?}"),
-    }
+    stands(&arch(weight, half_opening, friction), digits)
 }
 
 fn mode(weight: SelfWeight, half_opening: &str, friction: &str) -> Mode {
@@ -45,16 +41,10 @@ fn beside(
     exponent: u32,
     up: bool,
 ) -> String {
-    let point = CertifiedLandmark::new(landmark, weight).unwrap();
-    let x = point.enclosure(1000).unwrap().value(unknown).unwrap();
-    let hair = Float::with_val(1000, 10).recip();
-    let hair = (0..exponent).fold(Float::with_val(1000, 1), |h, _| h * &hair);
-    let moved = if up {
-        Float::with_val(1000, x.mid() + &hair)
-    } else {
-        Float::with_val(1000, x.mid() - &hair)
-    };
-    float_text(&moved, 150)
+    let x = at_landmark(landmark, weight, unknown, 1000);
+    let tenth = Float::with_val(1000, 10).recip();
+    let hair = (0..exponent).fold(Float::with_val(1000, 1), |hair, _| hair * &tenth);
+    float_text(&Float::with_val(1000, x.mid() + if up { hair } else { -hair }), 150)
 }
 
 fn frictions(state: &Digits) -> &Frictions<Figure> {
@@ -83,8 +73,8 @@ fn proved_twice(weight: SelfWeight, half_opening: &str, friction: &str) -> Optio
         (&first.thrust, &alone.thrust),
         (&first.rotation_joint, &alone.rotation_joint),
     ] {
-        let (lower, upper) =
-            (figure.decimal.lower.to_rational(), figure.decimal.upper.to_rational());
+        let [lower, upper] =
+            [&figure.decimal.lower, &figure.decimal.upper].map(|x| x.to_rational());
         let lower = Float::with_val_round(3000, &lower, rug::float::Round::Down).0;
         let upper = Float::with_val_round(3000, &upper, rug::float::Round::Up).0;
         assert!(ball.upper() >= lower && ball.lower() <= upper, "{half_opening} {friction}");

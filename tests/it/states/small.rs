@@ -16,11 +16,8 @@ fn tiny_openings_keep_full_relative_accuracy() {
             let alpha = number(half_opening).enclosure::<Ball>(64).mid().to_f64();
             // alpha⁴/48, of which a double can only hold the first.
             if alpha > 1e-50 {
-                approx::assert_relative_eq!(
-                    state.thickness.double,
-                    alpha.powi(4) / 48.0,
-                    max_relative = 1e-5
-                );
+                let (eta, limit) = (state.thickness.double, alpha.powi(4) / 48.0);
+                approx::assert_relative_eq!(eta, limit, max_relative = 1e-5);
             }
         }
         // Between alpha³/12 and alpha³/6 the shoulder slides.
@@ -50,21 +47,17 @@ fn small_openings_need_no_more_bits_and_agree_with_the_printed_equations() {
                 let (large, cost_of_printed) = printed(8_000 + arch.bits_lost());
                 assert!(cost_of_printed.of(Equation::Tangency) > 0);
                 assert_eq!(small.mode, large.mode);
+                let (of_small, of_large) = (frictions(&small), large.frictions.as_ref().unwrap());
                 for (figure, ball) in [
                     (&small.thickness, &large.thickness),
                     (&small.thrust, &large.thrust),
                     (&small.rotation_joint, &large.rotation_joint),
-                    (&frictions(&small).sliding, &large.frictions.as_ref().unwrap().sliding),
-                    (
-                        frictions(&small).rotational.as_ref().unwrap(),
-                        large.frictions.as_ref().unwrap().rotational.as_ref().unwrap(),
-                    ),
+                    (&of_small.sliding, &of_large.sliding),
+                    (of_small.rotational.as_ref().unwrap(), of_large.rotational.as_ref().unwrap()),
                 ] {
                     let again = Figure::new(ball, 20).unwrap();
-                    assert_eq!(
-                        figure.decimal.value, again.decimal.value,
-                        "{half_opening} {friction}"
-                    );
+                    let (value, again) = (&figure.decimal.value, again.decimal.value);
+                    assert_eq!(*value, again, "{half_opening} {friction}");
                 }
             }
         }
@@ -90,15 +83,13 @@ fn the_thrusts_of_tiny_openings_are_found() {
             let Ok(Outcome::Stands(state)) = arch.state_alone(400) else { panic!() };
             for part in [(1_000_001, 1_000_000), (3, 2), (4, 1)] {
                 let thickness = state.thickness.mid().to_rational().unwrap() * Rational::from(part);
-                let assessed = arch.certify_thickness(&ExactNumber::from(&thickness), 12);
+                let found = arch.certify_thickness(&ExactNumber::from(&thickness), 12);
                 let found =
-                    assessed.unwrap_or_else(|doubt| panic!("{half_opening} {part:?}: {doubt:?}"));
-                let [least, largest] =
-                    found.limits().map(|end| end.unwrap().thrust.as_ref().unwrap().decimal.clone());
-                assert!(
-                    found.stands.unwrap()
-                        && least.value.to_rational() <= largest.value.to_rational()
-                );
+                    found.unwrap_or_else(|doubt| panic!("{half_opening} {part:?}: {doubt:?}"));
+                let [least, largest] = found
+                    .limits()
+                    .map(|end| end.unwrap().thrust.as_ref().unwrap().decimal.value.to_rational());
+                assert!(found.stands.unwrap() && least <= largest);
             }
         }
     }

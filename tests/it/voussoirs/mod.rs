@@ -5,11 +5,13 @@ mod told;
 
 pub(crate) use programme::Programme;
 
+use crate::arches::stands;
 use crate::program::object;
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Certify, Figure, Inquiry, Wanted};
+use couplet::certify::state::{Answer, Figure, Inquiry, Wanted};
 use couplet::certify::{
-    VoussoirDigits, VoussoirLimit, VoussoirStanding, Voussoirs, assess_voussoirs, voussoirs,
+    VoussoirAssessment, VoussoirDigits, VoussoirLimit, VoussoirStanding, Voussoirs,
+    assess_voussoirs, voussoirs,
 };
 use couplet::number::Decimal;
 use couplet::problem::stones::Stones;
@@ -20,6 +22,17 @@ fn found(stones: &Stones, weight: SelfWeight, friction: &str, digits: usize) -> 
     voussoirs(stones, weight, &friction, digits).unwrap_or_else(|undecided| {
         panic!("{undecided}: {stones:?}, {}, {friction}", weight.name())
     })
+}
+
+fn assessed(
+    stones: &Stones,
+    weight: SelfWeight,
+    friction: &str,
+    thickness: &str,
+    digits: usize,
+) -> VoussoirAssessment {
+    let (friction, thickness) = (friction.parse().unwrap(), thickness.parse().unwrap());
+    assess_voussoirs(stones, weight, &friction, &thickness, digits).unwrap()
 }
 
 fn equal(stones: u64, half_opening: &str) -> Stones {
@@ -36,10 +49,7 @@ fn joints(stones: u64, half_opening: f64) -> Vec<f64> {
 #[test]
 fn a_given_thickness_is_compared_with_the_least() {
     let stones = equal(20, "pi/2");
-    let assess = |mu: &str, eta: &str| {
-        let (mu, eta) = (mu.parse().unwrap(), eta.parse().unwrap());
-        assess_voussoirs(&stones, SelfWeight::Milankovitch, &mu, &eta, 20).unwrap()
-    };
+    let assess = |mu: &str, eta: &str| assessed(&stones, SelfWeight::Milankovitch, mu, eta, 20);
     let stands =
         |mu: &str, eta: &str| matches!(assess(mu, eta).standing, Ok(VoussoirStanding::Stands(_)));
     // The least thickness is 0.15025383190820...
@@ -62,10 +72,7 @@ fn a_given_thickness_is_compared_with_the_least() {
 fn a_keystone_beyond_a_right_angle_asks_for_a_friction() {
     let stones = Stones::joints(vec!["2.00789".parse().unwrap(), "2.6309".parse().unwrap()]);
     let stones = stones.unwrap();
-    let assess = |mu: &str, eta: &str| {
-        let (mu, eta) = (mu.parse().unwrap(), eta.parse().unwrap());
-        assess_voussoirs(&stones, SelfWeight::Milankovitch, &mu, &eta, 9).unwrap()
-    };
+    let assess = |mu: &str, eta: &str| assessed(&stones, SelfWeight::Milankovitch, mu, eta, 9);
     for eta in ["0.8498609", "0.8517507"] {
         let free = assess("inf", eta);
         let needed = free.required_friction.unwrap().unwrap();
@@ -102,10 +109,8 @@ fn many_stones_are_assessed_as_the_continuous_arch() {
             (&found.required_friction, &whole.required_friction),
             (&found.friction_safety, &whole.friction_safety),
         ] {
-            assert!(close(
-                a.as_ref().unwrap().as_ref().unwrap(),
-                b.as_ref().unwrap().as_ref().unwrap()
-            ));
+            let [a, b] = [a, b].map(|x| x.as_ref().unwrap().as_ref().unwrap());
+            assert!(close(a, b));
         }
     }
 }
@@ -130,10 +135,7 @@ fn the_continuous_arch_is_the_limit() {
     ] {
         for weight in SelfWeight::ALL {
             let arch = Arch::parse(weight.name(), alpha, mu).unwrap();
-            let whole = |digits| match arch.certify(digits) {
-                Ok(Answer::Stands(state)) => *state,
-                other => panic!("{alpha} {mu}: {other:?}"),
-            };
+            let whole = |digits| stands(&arch, digits);
             let fine = whole(40);
             let eta = |stones| state(found(&equal(stones, alpha), weight, mu, 30)).thickness;
             let [few, twice, many] = [20, 40, 1 << 22].map(eta);
@@ -307,8 +309,7 @@ fn ties_are_decided() {
 #[test]
 fn slips_at_no_thrust_are_decided() {
     let assess = |alpha: &str, mu: &str, stones, weight| {
-        let (stones, mu, eta) = (equal(stones, alpha), mu.parse().unwrap(), "1".parse().unwrap());
-        assess_voussoirs(&stones, weight, &mu, &eta, 12).unwrap().standing.unwrap()
+        assessed(&equal(stones, alpha), weight, mu, "1", 12).standing.unwrap()
     };
     let thrusts = |ends: &[VoussoirLimit; 2]| {
         ends.each_ref().map(|end| end.thrust.as_ref().map(|thrust| thrust.double).unwrap())

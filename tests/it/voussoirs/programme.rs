@@ -51,9 +51,9 @@ impl Programme {
         (least <= most).then_some((least.max(-10.0), most.min(10.0)))
     }
 
-    /// Whether an arch of this thickness stands.
-    pub(crate) fn stands(&self, eta: f64) -> bool {
-        let Some((mut low, mut high)) = self.thrusts() else { return false };
+    /// The thrust with the most room.
+    fn best(&self, eta: f64) -> Option<f64> {
+        let (mut low, mut high) = self.thrusts()?;
         for _ in 0..100 {
             let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
             match self.room(eta, a) < self.room(eta, b) {
@@ -61,53 +61,41 @@ impl Programme {
                 false => high = b,
             }
         }
-        self.room(eta, (low + high) / 2.0) >= 0.0
+        Some((low + high) / 2.0)
+    }
+
+    /// Whether an arch of this thickness stands.
+    pub(crate) fn stands(&self, eta: f64) -> bool {
+        self.best(eta).is_some_and(|best| self.room(eta, best) >= 0.0)
     }
 
     /// The least and the largest thrust with room, of those between two.
     fn range(&self, eta: f64) -> Option<(f64, f64)> {
         let (first, last) = self.thrusts()?;
-        let (mut low, mut high) = (first, last);
-        for _ in 0..100 {
-            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-            match self.room(eta, a) < self.room(eta, b) {
-                true => low = a,
-                false => high = b,
-            }
-        }
-        let best = (low + high) / 2.0;
-        let end = |mut outside: f64| {
-            if self.room(eta, outside) >= 0.0 {
-                return outside;
-            }
-            let mut inside = best;
-            for _ in 0..100 {
-                let middle = (inside + outside) / 2.0;
-                match self.room(eta, middle) >= 0.0 {
-                    true => inside = middle,
-                    false => outside = middle,
-                }
-            }
-            inside
+        let best = self.best(eta)?;
+        let end = |outside: f64| match self.room(eta, outside) >= 0.0 {
+            true => outside,
+            false => halved(100, best, outside, |thrust| self.room(eta, thrust) >= 0.0),
         };
         (self.room(eta, best) >= 0.0).then(|| (end(first), end(last)))
     }
 
     /// The least thickness up to 2; `None` if none is enough.
     fn thickness(&self) -> Option<f64> {
-        let (mut low, mut high) = (0.0, 2.0);
-        if !self.stands(high) {
-            return None;
-        }
-        for _ in 0..45 {
-            let middle = (low + high) / 2.0;
-            match self.stands(middle) {
-                true => high = middle,
-                false => low = middle,
-            }
-        }
-        Some(high)
+        self.stands(2.0).then(|| halved(45, 2.0, 0.0, |eta| self.stands(eta)))
     }
+}
+
+/// Where between two numbers something ceases to be so, on the side where it is.
+fn halved(steps: usize, mut inside: f64, mut outside: f64, is_so: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..steps {
+        let middle = (inside + outside) / 2.0;
+        match is_so(middle) {
+            true => inside = middle,
+            false => outside = middle,
+        }
+    }
+    inside
 }
 
 /// Deterministic numbers in `[0, 1)`.

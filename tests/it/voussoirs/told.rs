@@ -1,17 +1,14 @@
 //! What is told of arches of stones, in every format, and what is refused.
 
-use crate::program::{object, printed};
-use serde_json::Value;
+use crate::program::{Json, object, printed, says, tells};
+use serde_json::json;
 
 #[test]
 fn a_million_stones_are_told_in_every_format() {
     let line = "voussoirs --alpha pi/2 --mu 0.35 --stones 1000000";
     let json = object(line);
-    assert_eq!(
-        (&json["schema"], &json["mode"]),
-        (&"couplet.voussoirs/1".into(), &"[s,r,r]".into())
-    );
-    let eta = json["thickness"]["value"].as_str().unwrap();
+    says(&json, json!({"schema": "couplet.voussoirs/1", "mode": "[s,r,r]"}));
+    let eta = json["thickness"]["value"].text();
     for format in ["csv", "table"] {
         assert!(printed(format!("{line} --format {format}")).contains(eta), "{format}");
     }
@@ -23,9 +20,9 @@ fn a_range_of_stones_is_told_in_every_format() {
     let line = "voussoirs --mu 0.35 --alpha pi/2 --digits 12 --stones";
     let of = |stones, format| printed(format!("{line} {stones} --format {format}"));
     let rows = object(format!("{line} 3..12"));
-    assert_eq!(rows.as_array().unwrap().len(), 10);
+    assert_eq!(rows.list().len(), 10);
     let (table, csv) = (of("3..12", "table"), of("3..12", "csv"));
-    for row in rows.as_array().unwrap() {
+    for row in rows.list() {
         let stones = row["stones"].as_u64().unwrap();
         let mut alone = object(format!("{line} {stones}"));
         let asked = alone.as_object_mut().unwrap().remove("asked").unwrap();
@@ -33,11 +30,10 @@ fn a_range_of_stones_is_told_in_every_format() {
         assert_eq!(*row, alone, "{stones}");
         let Some(eta) = row["thickness"]["value"].as_str() else { continue };
         assert!(table.contains(eta) && csv.contains(eta), "{stones}");
-        let double = |value: &Value| value["value"].as_str().unwrap().parse::<f64>().unwrap();
-        let whole = double(&row["continuous_thickness"]);
-        let loss = whole - double(&row["thickness"]);
-        assert!((double(&row["loss"]) - loss).abs() < 1e-3 * loss, "{stones}");
-        assert!((double(&row["relative_loss"]) * whole - loss).abs() < 1e-3 * loss, "{stones}");
+        let whole = row["continuous_thickness"].number();
+        let loss = whole - row["thickness"].number();
+        assert!((row["loss"].number() - loss).abs() < 1e-3 * loss, "{stones}");
+        assert!((row["relative_loss"].number() * whole - loss).abs() < 1e-3 * loss, "{stones}");
     }
 }
 
@@ -49,11 +45,14 @@ fn the_figure_of_many_numbers_has_the_page_of_all_figures() {
     };
     for (more, commands) in [("", 0), ("--width 84mm --full-caption", 1)] {
         let svg = svg(more);
-        let parts =
-            ["<title>The least thickness", "<desc>By which share of", ">odd n<", ">even n<"];
-        for part in parts.into_iter().chain(["role=\"img\""]) {
-            assert!(svg.contains(part), "{part}");
-        }
+        let parts = [
+            "<title>The least thickness",
+            "<desc>By which share of",
+            ">odd n<",
+            ">even n<",
+            "role=\"img\"",
+        ];
+        tells(&svg, parts);
         assert_eq!(svg.matches("id=\"caption\"").count(), 1);
         let texts = svg.split("<text").skip(1).filter_map(|text| text.split('>').nth(1));
         assert_eq!(texts.filter(|text| text.starts_with("Command: ")).count(), commands);
