@@ -1,19 +1,20 @@
 //! `couplet complementarity`, and what `state` and `assess` say of it.
 
-use crate::program::{couplet, object, printed, said};
-use serde_json::Value;
+use crate::program::{Json, ended, object, printed, says, tells};
+use serde_json::{Value, json};
 
-fn solutions(arch: &str) -> Vec<(bool, String, String)> {
+type Solution = (bool, String, String);
+
+fn solutions(arch: &str) -> Vec<Solution> {
     let found = object(format!("complementarity --digits 8 {arch}"));
-    let solution = |solution: &Value| {
-        let text = |of: &Value| of.as_str().unwrap().to_owned();
-        let symmetric = solution["symmetric"].as_bool().unwrap();
-        (symmetric, text(&solution["mode"]), text(&solution["thickness"]["value"]))
+    let solution = |of: &Value| {
+        let is_symmetric = of["symmetric"].as_bool().unwrap();
+        solution(is_symmetric, of["mode"].text(), of["thickness"]["value"].text())
     };
-    found["solutions"].as_array().unwrap().iter().map(solution).collect()
+    found["solutions"].list().iter().map(solution).collect()
 }
 
-fn solution(symmetric: bool, mode: &str, thickness: &str) -> (bool, String, String) {
+fn solution(symmetric: bool, mode: &str, thickness: &str) -> Solution {
     (symmetric, mode.to_owned(), thickness.to_owned())
 }
 
@@ -28,7 +29,7 @@ fn solutions_come_by_their_thickness() {
     assert_eq!(solutions(line), expected);
     assert_eq!(object(format!("complementarity {line}"))["complete"], true);
     let more = printed("complementarity --weight heyman --alpha 2.31 --mu 1.108");
-    assert!(more.contains("that there is no other solution is not."));
+    tells(&more, ["that there is no other solution is not."]);
 }
 
 #[test]
@@ -45,9 +46,7 @@ fn an_arch_without_friction_to_slide_has_the_symmetric_one() {
 fn the_programme_is_enclosed() {
     let arch = "complementarity --half-opening 2.3 --friction 1.05 --stones 8 --thickness";
     let at = |eta: &str| printed(format!("{arch} {eta}"));
-    let words = at("0.52");
-    assert!(words.contains("least value 0.0000761478"), "{words}");
-    assert!(words.contains("positive, proved"), "{words}");
+    tells(&at("0.52"), ["least value 0.0000761478", "positive, proved"]);
     assert!(at("0.45").contains("nothing is admissible at these joints, proved"));
 }
 
@@ -57,16 +56,11 @@ fn the_programme_is_zero_at_the_least_thickness() {
     let arch = "complementarity --alpha 2.3 --mu 1.05 --stones 8 --digits 6";
     for half in ["", "--half"] {
         let words = printed(format!("{arch} --eta least {half}"));
-        assert!(words.contains("at thickness 0.511561, the least"), "{words}");
-        assert!(words.contains("least value 0, exactly"), "{words}");
-        let near = printed(format!("{arch} --eta 0.511562 {half}"));
-        assert!(near.contains("positive, proved"), "{near}");
+        tells(&words, ["at thickness 0.511561, the least", "least value 0, exactly"]);
+        tells(&printed(format!("{arch} --eta 0.511562 {half}")), ["positive, proved"]);
     }
     let half = printed(format!("{arch} --eta 0.52 --half"));
-    assert!(
-        half.contains("5 joints of the half arch") && half.contains("least value 0.0"),
-        "{half}"
-    );
+    tells(&half, ["5 joints of the half arch", "least value 0.0"]);
 }
 
 /// All solutions between stones, in every format.
@@ -74,28 +68,27 @@ fn the_programme_is_zero_at_the_least_thickness() {
 fn all_solutions_between_stones_are_told() {
     let arch = "complementarity --alpha 2.3 --mu 1.05 --stones 8 --digits 8";
     let words = printed(arch);
-    for told in [
-        "All solutions of (19) between 8 equal stones, 9 joints of the whole arch",
-        "   0.51156098  symmetric: the least thickness",
-        "   0.68442173  asymmetric; its mirror image is a solution too",
-        "no other thickness up to 2 has a solution but mirror images, proved",
-        "7140 triples",
-    ] {
-        assert!(words.contains(told), "{told}: {words}");
-    }
+    tells(
+        &words,
+        [
+            "All solutions of (19) between 8 equal stones, 9 joints of the whole arch",
+            "   0.51156098  symmetric: the least thickness",
+            "   0.68442173  asymmetric; its mirror image is a solution too",
+            "no other thickness up to 2 has a solution but mirror images, proved",
+            "7140 triples",
+        ],
+    );
     let half = printed(format!("{arch} --half"));
     assert!(half.contains("no other thickness up to 2 has a symmetric solution, proved"), "{half}");
     assert!(!half.contains("0.68442173"));
     let found = object(arch);
     let all = &found["enumeration"];
-    assert_eq!((&all["outcome"], &all["looked_at"]), (&"complete".into(), &7140.into()));
-    assert_eq!(all["solutions"][1]["thickness"]["value"], "0.68442173");
+    says(all, json!({"outcome": "complete", "looked_at": 7140}));
+    says(&all["solutions"][1], json!({"thickness": {"value": "0.68442173"}}));
     assert_eq!(all["solutions"][1]["joints"][2]["side"], "crown");
     let rows = printed(format!("{arch} --format csv"));
-    assert!(
-        rows.lines().any(|row| row.ends_with(",8,solution,,,") && row.contains("0.68442173")),
-        "{rows}"
-    );
+    let is_told = |row: &str| row.ends_with(",8,solution,,,") && row.contains("0.68442173");
+    assert!(rows.lines().any(is_told), "{rows}");
     let nothing = printed("complementarity --alpha pi/2 --mu 0.1 --stones 6");
     assert!(nothing.contains("none, proved: at no thickness up to 2"), "{nothing}");
 }
@@ -110,10 +103,9 @@ fn between_stones_no_other_arch_is_told() {
         let words = with("");
         assert!(words.contains("no thickness up to 2 has a solution, proved"), "{words}");
         assert!(!words.contains("least thickness") && !words.contains("no other"), "{words}");
-        let found = object(&arch);
-        assert_eq!((&found["solutions"], &found["search"]), (&Value::Null, &Value::Null));
-        assert_eq!(found["enumeration"]["outcome"], "complete");
-        assert_eq!(found["enumeration"]["solutions"], Value::Array(Vec::new()));
+        let enumeration = json!({"outcome": "complete", "solutions": []});
+        let expected = json!({"solutions": null, "search": null, "enumeration": enumeration});
+        says(&object(&arch), expected);
         let rows = with("--format csv");
         assert_eq!(rows.lines().count(), 2, "{rows}");
         assert!(rows.trim_end().ends_with(&format!(",jointed,,,,,{stones},complete,,,")), "{rows}");
@@ -124,9 +116,8 @@ fn between_stones_no_other_arch_is_told() {
     }
     // Where there is one, no other is told of beside it.
     let arch = "complementarity --alpha pi/2 --mu 0.5 --stones 5";
-    let words = printed(arch);
-    assert!(words.contains("symmetric: the least thickness"), "{words}");
-    assert!(words.contains("no other thickness up to 2 has a solution"), "{words}");
+    let told = ["symmetric: the least thickness", "no other thickness up to 2 has a solution"];
+    tells(&printed(arch), told);
     let half = printed(format!("{arch} --half"));
     assert!(half.starts_with("Complementarity problem (19) of the half arch"), "{half}");
 }
@@ -137,10 +128,8 @@ fn where_no_rates_fit_there_is_no_solution() {
     let arch = "complementarity --alpha 60deg --mu inf --stones 2 --thickness 1.2";
     let at = |format| printed(format!("{arch} --format {format}"));
     assert!(at("table").contains("no rates fit: (19) has no solution"));
-    let found = object(arch);
-    let programme = &found["programme"];
-    assert_eq!((&found["verdict"], &programme["outcome"]), (&"proved".into(), &"no_rates".into()));
-    assert!(programme["least_value_lower"].is_null());
+    let programme = json!({"outcome": "no_rates", "least_value_lower": null});
+    says(&object(arch), json!({"verdict": "proved", "programme": programme}));
     assert!(at("csv").trim_end().ends_with(",2,no_rates,,,"), "{}", at("csv"));
 }
 
@@ -149,9 +138,9 @@ fn where_no_rates_fit_there_is_no_solution() {
 fn a_tiny_arch_between_stones_is_undecided_in_a_line() {
     for (alpha, stones) in [("1e-7", "6"), ("1e-9", "8")] {
         let line = format!("complementarity --alpha {alpha} --mu 0.6 --stones {stones}");
-        let (code, _, error) = said(&couplet(line));
-        assert_eq!((code, error.lines().count()), (Some(1), 1), "{error}");
-        assert!(error.contains("undecided: whether there is a solution at a thickness"), "{error}");
+        let (_, error) = ended(1, line, "");
+        assert_eq!(error.lines().count(), 1, "{error}");
+        tells(&error, ["undecided: whether there is a solution at a thickness"]);
     }
 }
 
@@ -175,10 +164,10 @@ fn a_branch_begins_and_ends_on_the_least_thickness() {
     let line = "complementarity --half-opening 2.3 --branch --digits 20";
     let found = object(line);
     assert_eq!(found["verdict"], "proved");
-    let points = found["points"].as_array().unwrap();
-    let value = |point: &Value, name: &str| point[name]["value"].as_str().unwrap().to_owned();
+    let points = found["points"].list();
+    let value = |point: &Value, name: &str| point[name]["value"].text().to_owned();
     let thicknesses = ["thickness", "least_thickness"];
-    let [first, change, last] = &points[..] else { panic!("{points:?}") };
+    let [first, change, last] = points else { panic!("{points:?}") };
     for end in [first, last] {
         let [own, least] = thicknesses.map(|name| value(end, name));
         assert_eq!((own, end["symmetric"].as_bool()), (least, Some(true)));
@@ -189,14 +178,12 @@ fn a_branch_begins_and_ends_on_the_least_thickness() {
     let least = value(change, "least_thickness")[..14].to_owned();
     assert!(state.lines().any(|line| line.starts_with(&least)), "{least}: {state}");
     // Of one friction the solution is between the two.
-    let [(true, ..), (false, _, other)] = &solutions("--half-opening 2.3 --friction 1.06")[..]
-    else {
-        panic!("one of each")
-    };
+    let both = solutions("--half-opening 2.3 --friction 1.06");
+    let [(true, ..), (false, _, other)] = &both[..] else { panic!("{both:?}") };
     assert!(value(first, "thickness") < *other && *other < value(change, "thickness"));
-    let parts = found["parts"].as_array().unwrap();
-    let nodes = parts.iter().chain(found["least"].as_array().unwrap());
-    let nodes: usize = nodes.map(|part| part["nodes"].as_array().unwrap().len()).sum();
+    let parts = found["parts"].list();
+    let nodes = parts.iter().chain(found["least"].list());
+    let nodes: usize = nodes.map(|part| part["nodes"].list().len()).sum();
     let table = printed(format!("{line} --format csv"));
     assert_eq!(table.lines().count(), nodes + 1);
     assert!(parts.iter().all(|part| part["admissible"] == true), "{parts:?}");
@@ -205,20 +192,18 @@ fn a_branch_begins_and_ends_on_the_least_thickness() {
 #[test]
 fn where_there_is_no_branch_it_is_said() {
     let words = printed("complementarity --half-opening 2 --branch");
-    assert!(words.contains("no branch leaves the least thickness: at the friction"), "{words}");
-    assert!(words.contains("and there is no asymmetric solution at all"), "{words}");
-    let drawn = couplet("complementarity --half-opening 2 --branch --format svg");
-    let (code, _, error) = said(&drawn);
-    assert!(code == Some(1) && error.contains("nothing to draw"), "{error}");
+    let told = "no branch leaves the least thickness: at the friction";
+    tells(&words, [told, "and there is no asymmetric solution at all"]);
+    let drawn = "complementarity --half-opening 2 --branch --format svg";
+    tells(&ended(1, drawn, "").1, ["nothing to draw"]);
 }
 
 /// Its parts, its ends and what is not proved are in the picture.
 #[test]
 fn a_branch_is_drawn_beside_the_least_thickness() {
     let drawn = printed("complementarity --half-opening 2.21 --branch --format svg");
-    for id in ["least", "inner_sliding", "shoulder_sliding", "legend"] {
-        assert!(drawn.contains(&format!("id=\"{id}\"")), "{id}");
-    }
+    let ids = ["least", "inner_sliding", "shoulder_sliding", "legend"];
+    tells(&drawn, ids.map(|id| format!("id=\"{id}\"")));
     assert!(!drawn.contains("id=\"shoulder_opening\""), "there is none");
     assert!(drawn.contains("Milankovitch's weight there are no others"));
 }
@@ -233,9 +218,7 @@ fn no_least_thickness_is_an_answer() {
     ] {
         let line =
             format!("complementarity --alpha 1 --mu {mu} --stones {stones} --thickness least");
-        let found = object(&line);
-        assert_eq!(found["verdict"], "proved");
-        assert_eq!(found["programme"]["outcome"], outcome);
+        says(&object(&line), json!({"verdict": "proved", "programme": {"outcome": outcome}}));
         assert!(printed(&line).contains(&format!("there is none, proved: {words}")));
         let rows = printed(format!("{line} --format csv"));
         let last = rows.lines().last().unwrap();
@@ -257,10 +240,10 @@ fn no_least_thickness_is_an_answer() {
 #[test]
 fn open_pieces_are_listed() {
     let line = "complementarity --alpha 0.001 --mu 0.3 --stones 4 --half --format csv";
-    let (code, rows, error) = said(&couplet(line));
+    let (rows, error) = ended(1, line, "");
     let pieces = rows.lines().filter(|row| row.contains(",open,"));
     let pieces: Vec<Vec<&str>> = pieces.map(|row| row.split(',').collect()).collect();
-    assert_eq!((code, pieces.len()), (Some(1), 1), "{rows}");
+    assert_eq!(pieces.len(), 1, "{rows}");
     let words = format!("at a thickness from {} to {}\n", pieces[0][5], pieces[0][11]);
     assert!(error.ends_with(&words), "{words}");
 }
@@ -280,12 +263,10 @@ fn a_lower_bound_of_the_least_value_is_told_in_every_format() {
     assert!(enclosed["least_value_lower"].is_string());
     let bounded = of("1.096");
     assert!(bounded["least_value"].is_null() && bounded["outcome"] == "positive", "{bounded}");
-    let lower = bounded["least_value_lower"].as_str().unwrap();
+    let lower = bounded["least_value_lower"].text();
     assert!(lower.parse::<f64>().unwrap() > 0.1249);
     assert!(line("1.096", "table").contains(&format!("least value at least {lower}\n")));
     assert!(line("1.096", "csv").trim_end().ends_with(&format!(",positive,,,{lower}")));
     assert_eq!(of("least")["least_value_lower"], "0");
-    let nothing = of("0.01");
-    assert_eq!(nothing["outcome"], "nothing_admissible");
-    assert!(nothing["least_value_lower"].is_null());
+    says(&of("0.01"), json!({"outcome": "nothing_admissible", "least_value_lower": null}));
 }

@@ -1,11 +1,21 @@
 //! `couplet draw`, and the figures of arches: what is in them, and what is refused.
 
-use crate::program::{Scratch, object, printed, text};
+use crate::program::{Json, Scratch, Words, object, printed, tells, text, texts};
 use crate::tool::has_module;
 use serde_json::Value;
 use std::process::Command;
 
 const ARCH: &str = "draw --alpha 2.45 --mu 1.35";
+
+/// The first arch of a drawing as JSON.
+fn arch(line: impl Words) -> Value {
+    object(line)["arches"][0].take()
+}
+
+/// The texts of a picture.
+fn texts_in(svg: &str) -> impl Iterator<Item = &str> {
+    svg.split('<').filter_map(|tag| tag.split('>').nth(1))
+}
 
 /// Its end, which may be the name of the format too.
 #[test]
@@ -29,53 +39,44 @@ fn the_name_of_the_file_tells_the_format() {
 /// The rates are those of the state, the lines begin at the crown and end at the shoulder.
 #[test]
 fn json_has_the_geometry() {
-    let json = object(ARCH);
-    let arch = &json["arches"][0];
+    let arch = arch(ARCH);
     assert_eq!(arch["verdict"], "collapses");
-    let starts = |value: &Value, digits: &str| value["value"].as_str().unwrap().starts_with(digits);
+    let starts = |value: &Value, digits: &str| value["value"].text().starts_with(digits);
     assert!(starts(&arch["thickness"], "0.650243780801383"));
     assert_eq!(arch["half_opening"]["double"], 2.45);
     let mechanism = &arch["mechanisms"][0];
     assert_eq!(mechanism["mode"], "[r,r,s]");
-    let joints = mechanism["joints"].as_array().unwrap();
-    let contacts: Vec<&str> =
-        joints.iter().map(|joint| joint["contact"].as_str().unwrap()).collect();
-    assert_eq!(contacts, ["hinge at the extrados", "hinge at the intrados", "slides inwards"]);
+    let joints = mechanism["joints"].list();
+    let contacts = ["hinge at the extrados", "hinge at the intrados", "slides inwards"];
+    assert_eq!(texts(joints, "contact"), contacts);
     assert!(starts(&joints[2]["rate"], "4.57727272879"));
-    assert_eq!(mechanism["blocks"].as_array().unwrap().len(), 3);
-    let line = arch["lines"][0]["thrust_lines"][0].as_array().unwrap();
-    assert_eq!(line[0][0], 0.0);
-    let last = line.last().unwrap();
-    let angle = last[0].as_f64().unwrap().atan2(last[1].as_f64().unwrap());
-    assert!((angle - 2.45).abs() < 1e-12);
+    assert_eq!(mechanism["blocks"].list().len(), 3);
+    let line = arch["lines"][0]["thrust_lines"][0].list();
+    let [x, y] = [0, 1].map(|k| line[line.len() - 1][k].number());
+    assert!(line[0][0] == 0.0 && (x.atan2(y) - 2.45).abs() < 1e-12);
 }
 
 /// At S the joint that opens is the one that slides: between them there is no block. The last one is the crown's.
 #[test]
 fn each_block_has_its_own_twist() {
     for (line, modes) in [
-        ("draw --at S", &["[s,s]", "[r,r+s]"][..]),
-        ("draw --at S --weight heyman --dilatant", &["[s,s]", "[r,r+s]"]),
-        ("draw --at T", &["[r,r,r]", "[s,r,r]", "[r,r,s]", "[s,s]"]),
+        ("draw --at S", &["[r,r+s]", "[s,s]"][..]),
+        ("draw --at S --weight heyman --dilatant", &["[r,r+s]", "[s,s]"]),
+        ("draw --at T", &["[r,r,r]", "[r,r,s]", "[s,r,r]", "[s,s]"]),
     ] {
-        let json = object(line);
-        let mechanisms = json["arches"][0]["mechanisms"].as_array().unwrap();
-        let mut found: Vec<&str> =
-            mechanisms.iter().map(|of| of["mode"].as_str().unwrap()).collect();
+        let arch = arch(line);
+        let mechanisms = arch["mechanisms"].list();
+        let mut found = texts(mechanisms, "mode");
         found.sort_unstable();
-        let mut modes = modes.to_vec();
-        modes.sort_unstable();
         assert_eq!(found, modes, "{line}");
         for of in mechanisms {
-            let blocks = of["blocks"].as_array().unwrap();
-            let mut above: Vec<&Value> = blocks.iter().map(|block| &block["between"][0]).collect();
-            above.pop();
-            let below = blocks.iter().skip(1).map(|block| &block["between"][1]);
-            assert!(above.into_iter().eq(below), "end to end: {line}");
+            let blocks = of["blocks"].list();
+            let [above, below] = [0, 1].map(|end| blocks.iter().map(move |of| &of["between"][end]));
+            assert!(above.take(blocks.len() - 1).eq(below.skip(1)), "end to end: {line}");
             let last = blocks.last().unwrap();
             assert_eq!(last["between"][0], 0.0);
-            let up = last["twist"]["velocity"][1]["double"].as_f64().unwrap();
-            assert_eq!(of["crown_drop"]["double"].as_f64().unwrap(), -up, "{line} {}", of["mode"]);
+            let up = last["twist"]["velocity"][1]["double"].number();
+            assert_eq!(of["crown_drop"]["double"].number(), -up, "{line} {}", of["mode"]);
             assert!(of.get("twists").is_none());
         }
     }
@@ -95,34 +96,33 @@ fn stones_are_those_of_voussoirs() {
         ("--half-opening 2.62 --friction inf", 20, 1),
     ] {
         let with = |command: &str| object(format!("{command} {arch} --stones {stones}"));
-        let (json, truth) = (with("draw"), with("voussoirs --digits 17"));
-        let of = &json["arches"][0];
+        let (of, truth) = (&with("draw")["arches"][0], with("voussoirs --digits 17"));
         for name in ["thickness", "thrust"] {
             assert_eq!(of[name]["value"], truth[name]["value"], "{arch} {stones} {name}");
         }
         let mechanism = &of["mechanisms"][0];
         assert_eq!(mechanism["mode"], truth["mode"]);
-        let alpha = of["half_opening"]["double"].as_f64().unwrap();
+        let alpha = of["half_opening"]["double"].number();
         let is_joint = |angle: f64| {
             let share = (angle / alpha + 1.0) / 2.0 * f64::from(stones);
             (share - share.round()).abs() < 1e-9
         };
-        let all = mechanism["blocks"].as_array().unwrap();
+        let all = mechanism["blocks"].list();
         assert_eq!(all.len(), blocks, "{arch} {stones}");
         for block in all {
-            let ends = [0, 1].map(|k| block["between"][k].as_f64().unwrap());
+            let ends = [0, 1].map(|k| block["between"][k].number());
             assert!(ends.into_iter().all(|end| is_joint(end) || end == 0.0), "{arch}: {ends:?}");
         }
-        for joint in mechanism["joints"].as_array().unwrap() {
-            assert!(is_joint(joint["joint"]["double"].as_f64().unwrap()));
+        for joint in mechanism["joints"].list() {
+            assert!(is_joint(joint["joint"]["double"].number()));
         }
-        let joints = of["stone_joints"].as_array().unwrap();
+        let joints = of["stone_joints"].list();
         assert_eq!(joints.len(), stones as usize / 2);
-        assert!(joints.iter().all(|joint| is_joint(joint.as_f64().unwrap())));
+        assert!(joints.iter().all(|joint| is_joint(joint.number())));
         if stones % 2 == 1 {
             let last = all.last().unwrap();
             assert_eq!(last["rotation"], 0.0);
-            assert!(last["shift"][0].as_f64().unwrap().abs() < 1e-12);
+            assert!(last["shift"][0].number().abs() < 1e-12);
         }
     }
 }
@@ -131,16 +131,15 @@ fn stones_are_those_of_voussoirs() {
 #[test]
 fn an_arch_of_stones_stands_by_its_own_conditions() {
     let arch = "--half-opening 120deg --friction 0.75 --thickness 0.423";
-    assert_eq!(object(format!("draw {arch}"))["arches"][0]["verdict"], "falls");
-    let json = object(format!("draw {arch} --stones 21"));
-    let of = &json["arches"][0];
+    assert_eq!(self::arch(format!("draw {arch}"))["verdict"], "falls");
+    let of = self::arch(format!("draw {arch} --stones 21"));
     assert_eq!(of["verdict"], "stands");
     let truth = object(format!("voussoirs {arch} --stones 21 --digits 17"));
     for (line, end) in ["least_thrust", "largest_thrust"].into_iter().enumerate() {
         let line = &of["lines"][line];
         assert_eq!(line["thrust"]["value"], truth["assessment"][end]["thrust"]["value"]);
-        let limits = truth["assessment"][end]["limited_by"].as_array().unwrap();
-        assert_eq!(limits.len(), line["at_limit"].as_array().unwrap().len());
+        let limits = truth["assessment"][end]["limited_by"].list();
+        assert_eq!(limits.len(), line["at_limit"].list().len());
     }
     let svg = printed("draw --alpha 90deg --mu 0.3 --eta 0.2 --stones 9");
     assert!(svg.contains("none keeps within friction at its joints"));
@@ -172,12 +171,11 @@ fn joints_between_stones_are_named_by_their_limits() {
             limits.iter().any(|of| of.contains(how) && of.contains(&format!("at {joint} (")))
         };
         let (svg, dxf) = (told("draw", "svg"), told("draw", "dxf"));
-        let texts = svg.split('>').filter_map(|part| part.split('<').next());
-        let names = texts.filter(|name| name.starts_with("joint ") && name.ends_with('°'));
+        let names = texts_in(&svg).filter(|name| name.starts_with("joint ") && name.ends_with('°'));
         for name in names {
             let joint = name.split(',').next().unwrap();
-            let [turns, slides] = ["hinge", "slides"].map(|how| does(how, joint));
-            let outer = does("hinge at the extrados", joint);
+            let [turns, outer, slides] =
+                ["hinge", "hinge at the extrados", "slides"].map(|how| does(how, joint));
             let named = ["βᵣ", "βₛ"].map(|symbol| name.contains(symbol));
             assert_eq!(named, [turns && (slides || !outer), slides], "{arch}: {name}: {limits:?}");
             assert!(turns || slides, "{arch}: {name}");
@@ -191,43 +189,42 @@ fn joints_between_stones_are_named_by_their_limits() {
 #[test]
 fn a_crown_that_opens_is_no_pair_of_hinges() {
     for line in ["draw --at L", "draw --at l", "draw --alpha 2.62 --mu inf"] {
-        let json = object(line);
-        let of = &json["arches"][0]["mechanisms"][0];
-        let joints = of["joints"].as_array().unwrap();
-        let contacts: Vec<&Value> = joints.iter().map(|joint| &joint["contact"]).collect();
-        assert_eq!(contacts, ["hinge at the extrados", "opens at the crown"], "{line}");
+        let of = &arch(line)["mechanisms"][0];
+        let joints = of["joints"].list();
+        let contacts = ["hinge at the extrados", "opens at the crown"];
+        assert_eq!(texts(joints, "contact"), contacts, "{line}");
         let twist = &of["blocks"][0]["twist"];
-        let number = |of: &Value| of["double"].as_f64().unwrap();
-        let across = number(&twist["velocity"][0]) - number(&twist["rotation"]);
-        assert!((number(&joints[1]["rate"]) - across).abs() < 1e-12, "{line}: {across}");
+        let [up, across] =
+            [&twist["rotation"], &twist["velocity"][0]].map(|x| x["double"].number());
+        let across = across - up;
+        assert!((joints[1]["rate"]["double"].number() - across).abs() < 1e-12, "{line}: {across}");
     }
 }
 
 /// Thin arches are flat before a corner has moved so far.
 #[test]
 fn the_amplitude_is_the_one_that_is_reached() {
-    let thin = object("draw --half-opening 0.05 --friction 0.3");
-    let of = &thin["arches"][0]["mechanisms"][0];
-    let reached = of["amplitude"].as_f64().unwrap();
+    let thin = arch("draw --half-opening 0.05 --friction 0.3");
+    let of = &thin["mechanisms"][0];
+    let reached = of["amplitude"].number();
     assert!((2e-4..1e-3).contains(&reached), "{reached}");
-    let radii = [-0.5, 0.5]
-        .map(|side| 1.0 + side * thin["arches"][0]["thickness"]["double"].as_f64().unwrap());
+    let radii = [-0.5, 0.5].map(|side| 1.0 + side * thin["thickness"]["double"].number());
     let mut most = 0.0_f64;
-    for block in of["blocks"].as_array().unwrap() {
-        let between = block["between"].as_array().unwrap();
+    for block in of["blocks"].list() {
+        let between = block["between"].list();
         let rest = between.iter().flat_map(|joint| {
-            let (sin, cos) = joint.as_f64().unwrap().sin_cos();
+            let (sin, cos) = joint.number().sin_cos();
             radii.map(|radius| [radius * sin, radius * cos])
         });
-        for (rest, moved) in rest.zip(block["corners"].as_array().unwrap()) {
-            let [x, y] = [0, 1].map(|k| moved[k].as_f64().unwrap() - rest[k]);
+        for (rest, moved) in rest.zip(block["corners"].list()) {
+            let [x, y] = [0, 1].map(|k| moved[k].number() - rest[k]);
             most = most.max(x.hypot(y));
         }
     }
     assert!((most - reached).abs() < 1e-12, "{most} {reached}");
     let svg = printed("draw --half-opening 0.05 --friction 0.3");
     assert!(svg.contains("the corner that moves most by 5.") && !svg.contains("0.12"));
-    assert!(printed(ARCH).contains("the corner that moves most by 0.12 r."));
+    tells(&printed(ARCH), ["the corner that moves most by 0.12 r."]);
 }
 
 /// With more friction the first stands, the others do not.
@@ -252,9 +249,13 @@ fn an_arch_that_does_not_stand_says_which_condition_fails() {
 /// A landmark has more joints at their limits than give way in a mode.
 #[test]
 fn lines_touch_where_some_mode_gives_way() {
-    for (arguments, is_landmark) in
-        [("figure 1", true), ("draw --at T --mode rrs", true), ("draw --at J", true), (ARCH, false)]
-    {
+    let all = [
+        ("figure 1", true),
+        ("draw --at T --mode rrs", true),
+        ("draw --at J", true),
+        (ARCH, false),
+    ];
+    for (arguments, is_landmark) in all {
         let svg = printed(arguments);
         let words = "on its faces only at joints that give way in one of the modes there";
         assert_eq!(svg.contains(words), is_landmark, "{arguments}");
@@ -273,18 +274,15 @@ fn a_file_for_cad_names_its_unit_where_it_has_one() {
 /// Sizes, coordinates and the unit of a file are those of the first length that is given.
 #[test]
 fn lengths_are_told_in_the_unit_in_which_they_are_given() {
-    let bridge = |span: &str, rise: &str| {
-        ["draw", "--span", span, "--rise", rise, "--eta", "0.1r", "--mu", "0.6"].map(str::to_owned)
-    };
-    let told = |arch: &[String; 9], format: &str| {
-        let words = arch.each_ref().map(String::as_str);
-        printed([&words[..], &["--format", format]].concat())
+    let told = |span: &str, rise: &str, format: &str| {
+        let arch = ["draw", "--span", span, "--rise", rise, "--eta", "0.1r", "--mu", "0.6"];
+        printed([&arch[..], &["--format", format]].concat())
     };
     let point = |json: &str| -> f64 {
         let json: Value = serde_json::from_str(json).unwrap();
-        json["arches"][0]["lines"][0]["thrust_lines"][0][3][1].as_f64().unwrap()
+        json["arches"][0]["lines"][0]["thrust_lines"][0][3][1].number()
     };
-    let metres = point(&told(&bridge("10.0584m", "3.048m"), "json"));
+    let metres = point(&told("10.0584m", "3.048m", "json"));
     for (span, rise, said, unit, code, size) in [
         ("33ft", "3.048m", "span 33 ft", "ft", 2, 0.3048),
         ("33'0\"", "10'", "rise 10 ft", "ft", 2, 0.3048),
@@ -294,18 +292,14 @@ fn lengths_are_told_in_the_unit_in_which_they_are_given() {
         ("10058.4 mm", "10ft", "rise 3048 mm", "mm", 4, 0.001),
         ("10.0584m", "10ft", "span 10.06 m", "m", 6, 1.0),
     ] {
-        let arch = bridge(span, rise);
-        let svg = told(&arch, "svg");
-        let texts: String = svg.split('<').filter_map(|tag| tag.split('>').nth(1)).collect();
-        assert!(texts.contains(said), "{span}: {said}");
-        let dxf = told(&arch, "dxf");
+        let [svg, dxf, json] = ["svg", "dxf", "json"].map(|format| told(span, rise, format));
+        tells(&texts_in(&svg).collect::<String>(), [said]);
         let system = u8::from(!["ft", "in", "yd"].contains(&unit));
-        assert!(dxf.contains(&format!("$INSUNITS\n70\n{code}\n9\n$MEASUREMENT\n70\n{system}\n")));
+        tells(&dxf, [format!("$INSUNITS\n70\n{code}\n9\n$MEASUREMENT\n70\n{system}\n")]);
         assert!(dxf.starts_with(&format!("999\ncouplet: lengths in {unit}\n")));
-        let json = told(&arch, "json");
-        assert!(json.contains(&format!("\"unit\": \"{unit}\"")), "{span}");
+        // A key that has its unit keeps it.
+        tells(&json, [&format!("\"unit\": \"{unit}\""), "\"rise_m\": {\n"]);
         assert!((point(&json) * size / metres - 1.0).abs() < 1e-12, "{span}");
-        assert!(json.contains("\"rise_m\": {\n"), "a key that has its unit keeps it");
     }
 }
 
@@ -314,16 +308,16 @@ fn lengths_are_told_in_the_unit_in_which_they_are_given() {
 fn sizes_in_a_table_are_told_in_the_unit_given_too() {
     let of = |span: &str| printed(format!("assess --span {span} --rise 10ft --eta 2ft --mu 0.6"));
     let (feet, metres) = (of("33ft"), of("10.0584m"));
-    for line in [
-        "span_m               span, m            10.0584 = 33 ft",
-        "thickness_m          t, m               0.6096 = 2 ft",
-        "least_thickness_m    least t, m         0.153098 = 0.502290 ft",
-    ] {
-        assert!(feet.contains(line), "{feet}");
-    }
+    tells(
+        &feet,
+        [
+            "span_m               span, m            10.0584 = 33 ft",
+            "thickness_m          t, m               0.6096 = 2 ft",
+            "least_thickness_m    least t, m         0.153098 = 0.502290 ft",
+        ],
+    );
     for more in ["33ft --stones 41", "33ft --tilt 5deg"] {
-        let table = of(more);
-        assert!(table.contains("t, m               0.6096 = 2 ft"), "{table}");
+        tells(&of(more), ["t, m               0.6096 = 2 ft"]);
     }
     let (_, sizes) = metres.split_once("as measured").unwrap();
     let (sizes, _) = sizes.split_once("\n\n").unwrap();
@@ -336,12 +330,8 @@ fn a_file_for_cad_has_the_forces() {
     let arch = "draw --span 10m --rise 3m --mu 0.6 --eta 0.1r";
     let loaded = format!("{arch} --density 24kN/m3 --depth 1m");
     let (svg, dxf) = (printed(&loaded), printed(format!("{loaded} --format dxf")));
-    let texts = svg.split('<').filter_map(|tag| tag.split('>').nth(1));
-    let forces: Vec<&str> = texts.filter(|text| text.ends_with(" kN")).collect();
-    assert!(
-        forces.iter().any(|of| of.starts_with("H "))
-            && forces.iter().any(|of| of.starts_with("V "))
-    );
+    let forces: Vec<&str> = texts_in(&svg).filter(|text| text.ends_with(" kN")).collect();
+    assert!(["H ", "V "].iter().all(|name| forces.iter().any(|of| of.starts_with(name))));
     let escaped = |text: &str| text.replace('–', "\\U+2013");
     assert!(forces.iter().all(|of| dxf.contains(&escaped(of))), "{forces:?}");
     assert_eq!(dxf.matches("\n8\nFORCES\n100\nAcDbLine\n").count(), 6, "two arrows");
@@ -362,12 +352,9 @@ fn every_command_that_draws_has_the_same_options() {
     let given = "--alpha 80deg --mu 0.6 --eta 0.12 --half";
     let tilted = "--alpha 90deg --mu 0.4 --eta 0.15 --tilt 0.05";
     let far = format!("{tilted} --amplitude 0.2");
+    let free = "--alpha 2.45 --mu 1.35 --half --arrows --dilatant --amplitude 0.2";
     for (command, arch, ends) in [
-        (
-            "state",
-            "--alpha 2.45 --mu 1.35 --half --arrows --dilatant --amplitude 0.2",
-            &["svg"][..],
-        ),
+        ("state", free, &["svg"][..]),
         ("assess", given, &["svg", "dxf"]),
         ("voussoirs", &format!("{given} --stones 9"), &["svg", "dxf"]),
         ("assess", tilted, &["svg", "dxf"]),
@@ -381,10 +368,10 @@ fn every_command_that_draws_has_the_same_options() {
     }
     let json = object(format!("draw {far}"));
     let drawing = &json["drawing"];
-    assert!((drawing["amplitude"].as_f64().unwrap() - 0.2).abs() < 1e-9);
-    assert_eq!(drawing["blocks"].as_array().unwrap().len(), 3);
-    let line = drawing["thrust_line"].as_array().unwrap();
-    let [first, last] = [&line[0], &line[line.len() - 1]].map(|point| point[1].as_f64().unwrap());
+    assert!((drawing["amplitude"].number() - 0.2).abs() < 1e-9);
+    assert_eq!(drawing["blocks"].list().len(), 3);
+    let line = drawing["thrust_line"].list();
+    let [first, last] = [&line[0], &line[line.len() - 1]].map(|point| point[1].number());
     assert!(first.abs() < 1e-12 && last.abs() < 1e-12, "from one springing to the other");
 }
 
@@ -400,15 +387,15 @@ fn json_is_in_metres_where_the_arch_is() {
     assert!(plain["measures"].is_null());
     let radius = 17.0 / 3.0;
     let line = |arch: &Value| -> Vec<f64> {
-        let points = arch["lines"][0]["thrust_lines"][0].as_array().unwrap();
-        points.iter().flat_map(|point| [0, 1].map(|k| point[k].as_f64().unwrap())).collect()
+        let points = arch["lines"][0]["thrust_lines"][0].list();
+        points.iter().flat_map(|point| [0, 1].map(|k| point[k].number())).collect()
     };
     let both = line(plain).into_iter().zip(line(metres));
     let far = both.map(|(r, m)| (radius * r - m).abs());
     assert!(far.fold(0.0, f64::max) < 1e-14);
     let [one, other] = [plain, metres].map(|arch| &arch["mechanisms"][0]);
     assert_eq!(one["joints"], other["joints"]);
-    let shift = |of: &Value| of["blocks"][0]["shift"][0].as_f64().unwrap();
+    let shift = |of: &Value| of["blocks"][0]["shift"][0].number();
     assert!((radius * shift(one) - shift(other)).abs() < 1e-14);
     let state = object(format!("state {shape} --digits 17"));
     let measures = &metres["measures"];
@@ -420,15 +407,13 @@ fn json_is_in_metres_where_the_arch_is() {
     ] {
         assert_eq!(ours["value"], state[theirs]["value"], "{theirs}");
     }
-    assert_eq!(
-        (&measures["span_m"]["double"], &measures["rise_m"]["double"]),
-        (&10.0.into(), &3.0.into())
-    );
+    let sizes = ["span_m", "rise_m"].map(|name| measures[name]["double"].number());
+    assert_eq!(sizes, [10.0, 3.0]);
     let standing = format!("{bridge} --thickness 60cm");
-    let (drawn, assessed) =
-        (object(format!("draw {standing}")), object(format!("assess {standing} --digits 17")));
+    let drawn = arch(format!("draw {standing}"));
+    let assessed = object(format!("assess {standing} --digits 17"));
     for (k, end) in ["least_thrust_kn", "largest_thrust_kn"].into_iter().enumerate() {
-        assert_eq!(drawn["arches"][0]["lines"][k]["thrust_kn"]["value"], assessed[end]["value"]);
+        assert_eq!(drawn["lines"][k]["thrust_kn"]["value"], assessed[end]["value"]);
     }
 }
 
@@ -462,10 +447,8 @@ fn options_change_what_they_say() {
     assert!(!still.contains(arrows) && with("--arrows").contains(arrows));
     assert!(with("--dilatant").contains("associated flow rule"));
     assert!(with("--half").matches("<circle").count() < still.matches("<circle").count());
-    assert!(
-        with("--stones 9").contains("stroke-width=\"0.6\"")
-            && !still.contains("stroke-width=\"0.6\"")
-    );
+    let joints = "stroke-width=\"0.6\"";
+    assert!(!still.contains(joints) && with("--stones 9").contains(joints));
     let half = with("--stones 9 --half");
     assert_eq!(half.matches("<g transform=").count(), 3, "with half a keystone");
     let one = printed("draw --at T --mode [s,r,r]");
@@ -482,24 +465,15 @@ fn what_falls_is_drawn_as_it_falls() {
         ("--alpha 90deg --mu 0.35 --eta 0.1 --stones 11", "[s,r,r]", "not stand"),
     ] {
         let svg = printed(format!("draw {arguments} --animate"));
-        for said in [
-            words,
-            &format!("does not stand: falls as {mode}"),
-            "Proved: whatever the thrust",
-            "Drawn, not proved",
-        ] {
-            assert!(svg.contains(said), "{arguments}: {said}");
-        }
-        assert!(svg.contains("<animateTransform"));
-        let json = object(format!("draw {arguments}"));
-        let arch = &json["arches"][0];
-        assert_eq!(
-            (arch["verdict"].as_str(), arch["mechanisms"][0]["mode"].as_str()),
-            (Some("falls"), Some(mode))
-        );
-        assert!(arch["proved"].as_str().unwrap().starts_with("whatever the thrust"));
-        let power = |name: &str| arch["mechanisms"][0][name]["lower"].as_f64().unwrap();
-        assert!(power("weight_power") > arch["mechanisms"][0]["power"]["upper"].as_f64().unwrap());
+        let falls = format!("does not stand: falls as {mode}");
+        let said = ["Proved: whatever the thrust", "Drawn, not proved", "<animateTransform"];
+        tells(&svg, [words, &falls].into_iter().chain(said));
+        let arch = arch(format!("draw {arguments}"));
+        assert_eq!(arch["verdict"], "falls");
+        assert_eq!(arch["mechanisms"][0]["mode"], mode);
+        assert!(arch["proved"].text().starts_with("whatever the thrust"));
+        let power = |name: &str| arch["mechanisms"][0][name]["lower"].number();
+        assert!(power("weight_power") > arch["mechanisms"][0]["power"]["upper"].number());
     }
 }
 
@@ -507,30 +481,26 @@ fn what_falls_is_drawn_as_it_falls() {
 #[test]
 fn modes_are_drawn_along_the_friction() {
     let json = object("draw --alpha 2.45 --along friction 0.5..3");
-    let arches = json["arches"].as_array().unwrap();
-    let modes: Vec<&str> =
-        arches.iter().map(|arch| arch["mechanisms"][0]["mode"].as_str().unwrap()).collect();
+    let arches = json["arches"].list();
+    let modes: Vec<&str> = arches.iter().map(|arch| arch["mechanisms"][0]["mode"].text()).collect();
     assert_eq!(modes, ["[s,s]", "[r,r,s]", "[r,r,r]"]);
     assert_eq!(arches[0]["verdict"], "falls");
     for (arch, next) in arches.iter().zip(&arches[1..]) {
         let end = arch["between_frictions"][1].clone();
         assert_eq!(end, next["between_frictions"][0]);
-        let friction = end["double"].as_f64().unwrap();
+        let friction = end["double"].number();
         // On both sides of it the state has the mode of that side.
-        for (by, mode) in
-            [(-1e-6, &arch["mechanisms"][0]["mode"]), (1e-6, &next["mechanisms"][0]["mode"])]
-        {
+        for (by, of) in [(-1e-6, arch), (1e-6, next)] {
             let friction = format!("{:.9}", friction + by);
-            let side = object(format!("draw --alpha 2.45 --mu {friction}"));
-            assert_eq!(side["arches"][0]["mechanisms"][0]["mode"], *mode, "{friction}");
+            let side = self::arch(format!("draw --alpha 2.45 --mu {friction}"));
+            let modes = [&side, of].map(|of| &of["mechanisms"][0]["mode"]);
+            assert_eq!(modes[0], modes[1], "{friction}");
         }
     }
     let svg = printed("draw --alpha 2.45 --along friction 0.5..3");
-    for words in
-        ["friction below 1.32296", "friction 1.32296 to 1.39629", "friction 1.39629 and more"]
-    {
-        assert!(svg.contains(words), "{words}");
-    }
+    let ends =
+        ["friction below 1.32296", "friction 1.32296 to 1.39629", "friction 1.39629 and more"];
+    tells(&svg, ends);
 }
 
 /// Another program reads the files without a fault: their release and unit, the arch of stones, its sizes and texts.

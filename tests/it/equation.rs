@@ -1,6 +1,6 @@
 //! Equations of the paper at a rotational joint, on the command line.
 
-use crate::program::{couplet, object, printed, said};
+use crate::program::{Json, couplet, object, printed, said};
 use couplet::certify::equation::{Evaluated, NumberedEquation};
 use couplet::prelude::*;
 use serde_json::Value;
@@ -29,7 +29,7 @@ fn any_digits_of_a_closed_form_are_those_of_the_root() {
         assert_eq!(closed["printed"]["value"], root["root"]["value"]);
         assert_eq!(closed["trigonometric"], closed["printed"]);
         assert_ne!(closed["printed"]["value"], roots[3 - index]["root"]["value"], "false twin");
-        assert!(root["root"]["value"].as_str().unwrap().len() > 200);
+        assert!(root["root"]["value"].text().len() > 200);
     }
 }
 
@@ -39,14 +39,14 @@ fn each_branch_is_a_state_with_the_joint() {
     let state = |arguments: &str| object(format!("state {arguments} --digits 25"));
     let found = state("--rotation-joint 1.0");
     let roots = &json("7 --rotation-joint 1.0 --digits 25")["polynomials"][1]["real_roots"];
-    let states = found["states"].as_array().unwrap();
+    let states = found["states"].list();
     assert_eq!(states.len(), 2);
     for (index, of) in states.iter().enumerate() {
         assert_eq!(of["thickness"], roots[index + 1]["root"]);
         assert_ne!(of["thickness"], roots[2 - index]["root"], "false twin");
-        let alpha = of["half_opening"]["value"].as_str().unwrap();
+        let alpha = of["half_opening"]["value"].text();
         let back = state(&format!("--half-opening {alpha} --friction inf"));
-        let joint: f64 = back["rotation_joint"]["value"].as_str().unwrap().parse().unwrap();
+        let joint: f64 = back["rotation_joint"]["value"].text().parse().unwrap();
         assert!((joint - 1.0).abs() < 1e-15, "{joint}");
     }
 }
@@ -57,7 +57,7 @@ fn the_sign_of_the_radicand_tells_whether_there_are_states() {
         let found = json(&format!("12 --beta {joint}"));
         assert_eq!(found["is_positive"], is_positive, "{joint}");
         let polynomials = json(&format!("7 --beta {joint}"));
-        let roots = polynomials["polynomials"][1]["real_roots"].as_array().unwrap();
+        let roots = polynomials["polynomials"][1]["real_roots"].list();
         assert_eq!(roots.iter().filter(|root| !root["branch"].is_null()).count(), states);
     }
 }
@@ -166,9 +166,8 @@ fn at_the_angles_of_a_set_square_the_cubics_have_exact_coefficients() {
     let thrusts = |joint: &str| {
         json(&format!("7 --beta {joint} --weight heyman"))["polynomials"][2]["real_roots"].clone()
     };
-    let exact = |roots: &Value| {
-        roots.as_array().unwrap().iter().filter(|of| of["root"]["value"] == "0.5").count()
-    };
+    let exact =
+        |roots: &Value| roots.list().iter().filter(|of| of["root"]["value"] == "0.5").count();
     assert_eq!((exact(&thrusts("60deg")), exact(&thrusts("59deg"))), (1, 0));
     for (given, value, other) in [
         ("--rotation-joint 60deg", "thrust", "0.5"),
@@ -176,7 +175,7 @@ fn at_the_angles_of_a_set_square_the_cubics_have_exact_coefficients() {
         ("--thickness 1.2", "A", "0.625"),
     ] {
         let states = object(format!("state --weight heyman {given}"));
-        let states = states["states"].as_array().unwrap();
+        let states = states["states"].list();
         let holds = |of: &&Value| ["value", "lower", "upper"].iter().all(|x| of[value][x] == other);
         assert_eq!(states.iter().filter(holds).count(), 1, "{given}: {states:?}");
     }

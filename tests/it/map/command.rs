@@ -1,13 +1,13 @@
 //! `couplet map`: what it writes, and what it refuses.
 
-use crate::program::{Scratch, couplet, object, printed, refused, rows, said};
+use crate::program::{Json, Scratch, ended, object, printed, refused, rows};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
 #[test]
 fn every_curve_is_summed_up() {
-    let (code, output, error) = said(&couplet("map --weight both --tolerance 1e-3"));
-    assert_eq!((code, &error[..]), (Some(0), ""));
+    let (output, error) = ended(0, "map --weight both --tolerance 1e-3", "");
+    assert_eq!(error, "");
     // Eleven of each weight, and sliding.
     let lines: Vec<&str> = output.lines().skip(3).take_while(|line| !line.is_empty()).collect();
     assert_eq!(lines.len(), 23, "{output}");
@@ -18,10 +18,10 @@ fn every_curve_is_summed_up() {
 fn csv_and_json_say_the_same() {
     let line = "map --curve rrr/srr,limit --weight heyman";
     let (table, document) = (printed(format!("{line} --format csv")), object(line));
-    let curves = document["curves"].as_array().unwrap();
+    let curves = document["curves"].list();
     let nodes: Vec<(&Value, &Value)> = curves
         .iter()
-        .flat_map(|curve| curve["nodes"].as_array().unwrap().iter().map(move |n| (curve, n)))
+        .flat_map(|curve| curve["nodes"].list().iter().map(move |n| (curve, n)))
         .collect();
     let rows = rows(table);
     assert_eq!(rows.len(), nodes.len());
@@ -110,12 +110,9 @@ fn levels_are_states_of_arches() {
             let state = object(format!("state --alpha {alpha} --mu {mu} --digits 14"));
             if state["mode"] != of(row, "mode") {
                 // The first node of a part lies on the line to the next mode.
-                assert!(
-                    modes.contains(&state["mode"].as_str().unwrap().to_owned()),
-                    "{value} {mu}"
-                );
+                assert!(modes.contains(&state["mode"].text().to_owned()), "{value} {mu}");
             }
-            let eta: f64 = state["thickness"]["value"].as_str().unwrap().parse().unwrap();
+            let eta: f64 = state["thickness"]["value"].text().parse().unwrap();
             let [low, high] = [low, high].map(|bound| bound.parse::<f64>().unwrap());
             assert!(low - 1e-11 < eta && eta < high + 1e-11, "{value}, {mu}: {low} {eta} {high}");
         }

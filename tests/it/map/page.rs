@@ -1,6 +1,6 @@
 //! `couplet map --format html`: one file, and a script whose numbers are those of the program.
 
-use crate::program::{Scratch, object, printed};
+use crate::program::{Scratch, object, printed, tells};
 use crate::tool;
 use serde_json::Value;
 use std::process::Command;
@@ -50,20 +50,16 @@ fn a_page_needs_nothing_from_elsewhere() {
     let addresses: Vec<&str> =
         page.match_indices("http").map(|(at, _)| &page[at..at + 26]).collect();
     // Names of what SVG is, which nothing is loaded from.
-    assert!(
-        addresses
-            .iter()
-            .all(|a| a.starts_with("http-equiv=") || *a == "http://www.w3.org/2000/svg")
-    );
+    let is_name = |of: &str| of.starts_with("http-equiv=") || of == "http://www.w3.org/2000/svg";
+    assert!(addresses.iter().copied().all(is_name), "{addresses:?}");
     for loaded in ["src=", "href=", "@import", "fetch(", "{{"] {
         assert!(!page.contains(loaded), "{loaded}");
     }
     assert!(page.contains("default-src 'none'; style-src 'sha256-"));
-    for said in
-        ["not certified", "0.618318241074323", "1.41527082775689", "couplet map --tolerance"]
-    {
-        assert!(page.contains(said), "{said}");
-    }
+    tells(
+        page,
+        ["not certified", "0.618318241074323", "1.41527082775689", "couplet map --tolerance"],
+    );
     // No two elements have one name.
     let mut names: Vec<&str> =
         page.split(" id=\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
@@ -83,20 +79,17 @@ fn a_page_has_the_levels_and_marks_asked_for() {
     let page = scratch.read("map.html");
     assert!(page.len() < 1_000_000);
     for weight in ["heyman", "milankovitch"] {
-        for of in [
+        let levels = [
             "thickness-friction-level-half-opening-80deg",
             "opening-friction-level-thickness-0.1",
             "opening-thickness-level-friction-0.4",
-        ] {
-            assert!(page.contains(&format!("id=\"{weight}-{of}\"")), "{weight} {of}");
-        }
+        ];
+        tells(&page, levels.map(|of| format!("id=\"{weight}-{of}\"")));
     }
     assert_eq!(page.matches("<figure ").count(), 6);
     let marked = |figure: &&str| !figure.contains("&quot;marks&quot;:[]");
     assert_eq!(page.split("<figure ").skip(1).filter(marked).count(), 6);
-    for text in ["stands; least thickness 0.0686505", "stands; least thickness 0.06"] {
-        assert!(page.contains(text), "{text}");
-    }
+    tells(&page, ["stands; least thickness 0.0686505", "stands; least thickness 0.06"]);
 }
 
 #[test]
@@ -120,10 +113,8 @@ fn an_address_has_its_arch() {
     let thickness = element(&there, "thickness");
     let line = "couplet state --half-opening 80deg --friction 0.6 --weight heyman";
     let truth = certified(line, thickness);
-    assert_eq!(
-        (element(&there, "mode"), thickness),
-        ("[r,r,r]", truth["thickness"]["value"].as_str().unwrap())
-    );
+    assert_eq!(thickness, truth["thickness"]["value"]);
+    assert_eq!(element(&there, "mode"), "[r,r,r]");
     let falls = shown(page(), "alpha=2.7&mu=0.5");
     assert!(falls.contains("falls: no thickness is enough"));
 }
@@ -164,9 +155,8 @@ fn what_lies_under_the_cursor_is_what_the_command_finds() {
     assert_eq!(lines.len(), 22, "{noted}");
     let mut modes = Vec::new();
     for line in lines {
-        let [command, mode, alpha, eta] = line.split('\t').collect::<Vec<_>>()[..] else {
-            panic!("{line}")
-        };
+        let cells: Vec<&str> = line.split('\t').collect();
+        let [command, mode, alpha, eta] = cells[..] else { panic!("{line}") };
         let is_state = command.starts_with("couplet state");
         let number = if is_state { eta } else { alpha.split_once(" rad").unwrap().0 };
         let truth = certified(command, number);

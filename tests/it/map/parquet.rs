@@ -1,7 +1,7 @@
 //! The curves as Parquet, read back, beside the same curves as JSON.
 
 use crate::export::parquet::read;
-use crate::program::{couplet, object};
+use crate::program::{Json, couplet, object};
 use parquet::record::Field;
 use serde_json::Value;
 
@@ -20,7 +20,7 @@ fn as_json(field: &Field) -> Value {
 
 /// Each node of a document with what its curve, or its part of the line of a half opening, says of it.
 fn nodes(document: &Value) -> Vec<Value> {
-    let array = |value: &Value| value.as_array().unwrap().clone();
+    let array = |value: &Value| value.list().to_vec();
     let named = |nodes: &Value, names: [(&str, &Value); 3]| -> Vec<Value> {
         let mut nodes = array(nodes);
         for (index, node) in nodes.iter_mut().enumerate() {
@@ -34,7 +34,7 @@ fn nodes(document: &Value) -> Vec<Value> {
         named(&curve["nodes"], [names[0], names[1], ("mode", &Value::Null)])
     };
     let of_level = |level: &Value| -> Vec<Value> {
-        let named_by = format!("half opening {}", level["half_opening"].as_str().unwrap()).into();
+        let named_by = format!("half opening {}", level["half_opening"].text()).into();
         let names = [("weight", &level["weight"]), ("curve", &named_by)];
         let parts = array(&level["parts"]).into_iter();
         parts
@@ -51,7 +51,7 @@ fn parquet_and_json_say_the_same() {
     let line = "map --curve rrr/rrs,sliding,limit --alpha 2.58 --weight both --tolerance 1e-3";
     let document = object(line);
     let (rows, notes) = read(couplet(format!("{line} --format parquet")).stdout);
-    assert_eq!(notes["couplet.schema"], document["schema"].as_str().unwrap());
+    assert_eq!(notes["couplet.schema"], document["schema"].text());
     assert_eq!(notes["couplet.tolerance"].parse::<f64>().ok(), document["tolerance"].as_f64());
     let nodes = nodes(&document);
     assert_eq!(rows.len(), nodes.len());

@@ -1,6 +1,6 @@
 //! `couplet map` and `couplet figure` as pictures: what is in them, and what is refused.
 
-use crate::program::{Scratch, Words, printed, refused};
+use crate::program::{Scratch, Words, printed, refused, tells};
 
 #[test]
 fn the_name_of_the_file_tells_the_format() {
@@ -10,12 +10,9 @@ fn the_name_of_the_file_tells_the_format() {
     assert!(output.contains("map.svg: 12 curves and 9 lines of one value, in tubes"), "{output}");
     assert!(output.contains("; proved: ") && output.lines().count() == 1, "{output}");
     let svg = scratch.read("map.svg");
-    for mode in ["rrr", "srr", "rrs", "rsr", "rs", "r", "ss"] {
-        assert!(svg.contains(&format!("<g id=\"domain-{mode}\">")), "{mode}");
-    }
-    for said in ["Milankovitch-like self-weight", "is proved to lie within", "--tolerance 1e-3"] {
-        assert!(svg.contains(said), "{said}");
-    }
+    let modes = ["rrr", "srr", "rrs", "rsr", "rs", "r", "ss"];
+    tells(&svg, modes.map(|mode| format!("<g id=\"domain-{mode}\">")));
+    tells(&svg, ["Milankovitch-like self-weight", "is proved to lie within", "--tolerance 1e-3"]);
     assert!(!svg.contains("line-rotation"), "it has no place in this plane");
 }
 
@@ -37,10 +34,10 @@ fn a_map_has_the_levels_asked_for() {
     let count = |svg: &str| svg.matches("<g id=\"level-").count();
     let asked = svg("--half-opening 80deg,5/2");
     assert_eq!(count(&asked), 2);
-    for part in ["level-half-opening-80deg", ">80°</text>", ">5/2</text>", "Thin lines: equal half"]
-    {
-        assert!(asked.contains(part), "{part}");
-    }
+    tells(
+        &asked,
+        ["level-half-opening-80deg", ">80°</text>", ">5/2</text>", "Thin lines: equal half"],
+    );
     assert!(asked.contains("domain-rrr"), "the map is there");
     assert_eq!(count(&svg("--bare")), 0);
     let usual = svg("--plane opening-thickness");
@@ -63,10 +60,8 @@ fn a_map_has_the_axes_asked_for() {
         ("--thickness-range 0..0.3", &[">0.30</text>", "in radians"]),
     ] {
         let svg = printed(format!("map --format svg --bare {arguments}"));
-        for part in parts {
-            assert!(svg.contains(part), "{arguments}: {part}");
-        }
-        assert!(svg.contains("domain-srr"), "{arguments}");
+        tells(&svg, parts);
+        tells(&svg, ["domain-srr"]);
         // S and J are shown larger where they are seen.
         assert_eq!(svg.contains("inset-sj-"), !arguments.contains("0..0.3"), "{arguments}");
     }
@@ -77,12 +72,13 @@ fn an_arch_is_marked_with_its_state() {
     let marks = "--mark 80deg,0.6,0.15 --mark 100deg,30deg";
     let svg = printed(format!("map --tolerance 1e-2 --format svg --bare {marks}"));
     assert_eq!(svg.matches("<g id=\"mark-").count(), 2);
-    for part in [
-        "(1) α = 80°, μ = 0.6, η = 0.15: stands; least thickness 0.0686505, [r,r,r]",
-        "(2) α = 100°, μ = tan(30°)",
-    ] {
-        assert!(svg.contains(part), "{part}");
-    }
+    tells(
+        &svg,
+        [
+            "(1) α = 80°, μ = 0.6, η = 0.15: stands; least thickness 0.0686505, [r,r,r]",
+            "(2) α = 100°, μ = tan(30°)",
+        ],
+    );
 }
 
 #[test]
@@ -94,9 +90,7 @@ fn each_figure_has_its_curves() {
         ("6", &["domain-ss", "inset-sj-line-rsr-rs", "level-half-opening-80deg"]),
     ] {
         let svg = printed(["figure", number, "--tolerance", "1e-2"]);
-        for group in groups {
-            assert!(svg.contains(&format!("<g id=\"{group}\">")), "{number} {group}");
-        }
+        tells(&svg, groups.iter().map(|group| format!("<g id=\"{group}\">")));
     }
 }
 
@@ -158,11 +152,9 @@ fn a_font_that_is_not_there_is_named() {
 #[test]
 fn what_asymmetric_solutions_reach_is_drawn() {
     let svg = asymmetric("--bare");
-    for id in
-        ["asymmetric", "line-asymmetric-begins", "line-inner-sliding-shoulder-opening", "legend"]
-    {
-        assert!(svg.contains(&format!("<g id=\"{id}\">")), "{id}");
-    }
+    let ids =
+        ["asymmetric", "line-asymmetric-begins", "line-inner-sliding-shoulder-opening", "legend"];
+    tells(&svg, ids.map(|id| format!("<g id=\"{id}\">")));
     assert!(svg.contains("that there are no other solutions is not"), "said below");
     let heyman = asymmetric("--bare --weight heyman");
     assert!(heyman.contains("turn back") && !svg.contains("turn back"));

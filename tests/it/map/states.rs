@@ -44,8 +44,8 @@ fn on_each_side_of_a_line_there_is_its_mode() {
         for piece in trace.pieces().skip(3).step_by(EVERY) {
             let place = piece.place(inside(&piece)).unwrap();
             let alpha = middle(place.half_opening.as_ref());
-            let (phi, eta) =
-                (middle(place.friction_angle.as_ref()), middle(place.thickness.as_ref()));
+            let phi = middle(place.friction_angle.as_ref());
+            let eta = middle(place.thickness.as_ref());
             let [more, less] = line.modes();
             let (mode, thickness) = mode_of(weight, alpha, (phi + AWAY).tan()).unwrap();
             assert_eq!(mode, more, "{line} {weight:?} at {alpha}, {phi}");
@@ -72,8 +72,8 @@ fn states_at_unlimited_friction_are_on_their_curves() {
         for weight in SelfWeight::ALL {
             for piece in trace(curve, weight).pieces().step_by(EVERY) {
                 let place = piece.place(inside(&piece)).unwrap();
-                let (alpha, eta) =
-                    (middle(place.half_opening.as_ref()), middle(place.thickness.as_ref()));
+                let alpha = middle(place.half_opening.as_ref());
+                let eta = middle(place.thickness.as_ref());
                 let arch = Arch::parse(weight.name(), &format!("{alpha:.17}"), "inf").unwrap();
                 let state = arch.least(14).unwrap();
                 assert_eq!(state.mode, mode, "{alpha}");
@@ -90,8 +90,8 @@ fn at_the_limit_the_thickness_reaches_2() {
     for weight in SelfWeight::ALL {
         for piece in trace(Curve::Limit, weight).pieces().step_by(3) {
             let place = piece.place(inside(&piece)).unwrap();
-            let (alpha, mu) =
-                (middle(place.half_opening.as_ref()), middle(place.friction.as_ref()));
+            let alpha = middle(place.half_opening.as_ref());
+            let mu = middle(place.friction.as_ref());
             let (mode, thickness) = mode_of(weight, alpha * (1.0 - AWAY), mu).unwrap();
             assert_eq!(mode, Mode::OverturningSliding, "{weight:?} {alpha}");
             assert!(1.9 < thickness && thickness < 2.0, "{weight:?} {thickness}");
