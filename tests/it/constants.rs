@@ -1,21 +1,15 @@
 //! The certificates in `proofs/constants`, `proofs/states`, `proofs/asymmetric` and `proofs/surveys` are accepted, and
 //! are those that the program makes.
 
+use crate::house::certificates;
 use couplet::arch::SelfWeight;
 use couplet::arch::asymmetric::AsymmetricMode;
 use couplet::certify::{certify_arch, certify_asymmetric, certify_landmark, certify_survey};
 use couplet::check::{Accepted, Certificate, SurveyCertificate, check, check_survey};
 use couplet::number::AstroInterval;
-use couplet::problem::Landmark;
-use couplet::problem::Problem;
+use couplet::problem::{Landmark, Problem};
 use std::fs;
-use std::path::{Path, PathBuf};
-
-fn stored(folder: &str) -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs").join(folder);
-    let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    files.filter(|path| path.extension().is_some_and(|e| e == "json")).collect()
-}
+use std::path::PathBuf;
 
 fn accepted(text: &str) -> Accepted {
     check::<AstroInterval>(text.as_bytes(), 1000).unwrap()
@@ -29,7 +23,7 @@ fn made_again<T>(folder: &str, target: &str, make: impl Fn(&str) -> (T, String))
         assert!(text == made + "\n", "{}: run `make {target}`", path.display());
         subject
     };
-    stored(folder).into_iter().map(again).collect()
+    certificates([folder]).into_iter().map(again).collect()
 }
 
 fn pretty(made: Certificate) -> String {

@@ -1,5 +1,6 @@
 //! The stored Coq files are those that the program prints.
 
+use crate::house::{certificates, files};
 use couplet::arch::SelfWeight;
 use couplet::certify::certify_arch;
 use couplet::claims::coq::certificate;
@@ -7,20 +8,12 @@ use couplet::judge::{PrintedVerdict, audit};
 use couplet::problem::{Arch, Mode};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
-
-/// The files of a folder of `proofs` with an extension.
-fn stored(folder: &str, extension: &str) -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs").join(folder);
-    let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    files.filter(|path| path.extension().is_some_and(|found| found == extension)).collect()
-}
+use std::path::PathBuf;
 
 /// What the program prints of the stored certificates.
 fn printed() -> BTreeMap<String, String> {
-    let folders = ["constants", "states", "asymmetric", "surveys"];
-    let files_of = folders.into_iter().flat_map(|folder| stored(folder, "json"));
-    let certificates = files_of.map(|path| {
+    let stored = certificates(["constants", "states", "asymmetric", "surveys"]).into_iter();
+    let certificates = stored.map(|path| {
         let bytes = fs::read(&path).unwrap();
         certificate(&bytes).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
     });
@@ -30,13 +23,12 @@ fn printed() -> BTreeMap<String, String> {
 #[test]
 fn stored_and_printed_files_agree() {
     let printed = printed();
-    let stored: BTreeMap<String, String> = stored("coq/generated", "v")
-        .into_iter()
-        .map(|path| {
-            let name = path.file_name().unwrap().to_str().unwrap().to_owned();
-            (name, fs::read_to_string(path).unwrap())
-        })
-        .collect();
+    let read = |path: PathBuf| {
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        (name, fs::read_to_string(path).unwrap())
+    };
+    let stored = files("proofs/coq/generated", "v").into_iter().map(read);
+    let stored: BTreeMap<String, String> = stored.collect();
     assert_eq!(stored.keys().collect::<Vec<_>>(), printed.keys().collect::<Vec<_>>());
     for (name, text) in &printed {
         assert!(stored[name] == *text, "{name}: run `make states`, and look at what changed");
@@ -116,7 +108,7 @@ fn other_arches_have_a_theorem_too() {
 
 #[test]
 fn what_does_not_check_is_refused() {
-    let good = fs::read_to_string(&stored("states", "json")[0]).unwrap();
+    let good = fs::read_to_string(&certificates(["states"])[0]).unwrap();
     let wrong = good.replacen("\"value\": \"", "\"value\": \"9", 1);
     assert!(certificate(wrong.as_bytes()).is_err());
 }

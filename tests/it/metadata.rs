@@ -1,8 +1,8 @@
 //! The version, the address and the licence of the repository stand in its Cargo.toml alone; all else derives from
 //! these.
 
+use crate::house::{house, read};
 use std::fs;
-use std::path::Path;
 use toml::{Table, Value};
 
 /// What every package has from the workspace.
@@ -12,17 +12,13 @@ const SHARED: [&str; 6] =
 /// The packages that are no library for Rust, and so are in no registry.
 const UNPUBLISHED: [&str; 3] = ["c", "page", "python"];
 
-fn text(path: &str) -> String {
-    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap()
-}
-
 fn manifest(folder: &str) -> Table {
-    text(&format!("{folder}/Cargo.toml")).parse().unwrap()
+    read(&format!("{folder}/Cargo.toml")).parse().unwrap()
 }
 
 /// The folders of all packages, the root's among them.
 fn folders() -> Vec<String> {
-    let crates = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("crates")).unwrap();
+    let crates = fs::read_dir(house("crates")).unwrap();
     let crates = crates.map(|entry| format!("crates/{}", entry.unwrap().file_name().display()));
     crates.chain([".", "c", "page", "python"].map(str::to_owned)).collect()
 }
@@ -62,7 +58,7 @@ fn every_package_derives_from_the_workspace() {
 
 #[test]
 fn a_key_of_its_own_is_seen() {
-    let whole = text("crates/number/Cargo.toml");
+    let whole = read("crates/number/Cargo.toml");
     for key in SHARED.into_iter().chain(["publish"]) {
         let line = format!("{key}.workspace = true\n");
         let spoiled = whole.replacen(&line, &format!("{key} = \"0\"\n"), 1);
@@ -108,8 +104,8 @@ fn otherwise(citation: &str, python: &str, version: &str, address: &str) -> Vec<
 
 #[test]
 fn what_is_cited_and_the_python_package_have_its_version_and_address() {
-    let citation = text("CITATION.cff");
-    let python = text("python/pyproject.toml");
+    let citation = read("CITATION.cff");
+    let python = read("python/pyproject.toml");
     let version = of_workspace("version");
     let wrong = otherwise(&citation, &python, &version, &of_workspace("repository"));
     assert_eq!(wrong, [""; 0]);
@@ -130,10 +126,10 @@ fn what_is_cited_and_the_python_package_have_its_version_and_address() {
 #[test]
 fn the_files_of_the_library_for_c_have_no_version_of_their_own() {
     for file in ["couplet_c.pc", "couplet_cConfigVersion.cmake"] {
-        assert_eq!(text(&format!("c/package/{file}")).matches("@VERSION@").count(), 1, "{file}");
+        assert_eq!(read(&format!("c/package/{file}")).matches("@VERSION@").count(), 1, "{file}");
     }
     let defined = format!("#define COUPLET_C_VERSION \"{}\"", of_workspace("version"));
-    assert!(text("c/include/couplet_c.h").contains(&defined));
+    assert!(read("c/include/couplet_c.h").contains(&defined));
 }
 
 /// A package holds the texts of its licences, which stand in the repository once.
@@ -141,7 +137,7 @@ fn the_files_of_the_library_for_c_have_no_version_of_their_own() {
 fn every_package_has_the_texts_of_its_licences() {
     for folder in folders() {
         for name in ["LICENSE-APACHE", "LICENSE-MIT"] {
-            assert_eq!(text(&format!("{folder}/{name}")), text(name), "{folder}");
+            assert_eq!(read(&format!("{folder}/{name}")), read(name), "{folder}");
         }
     }
 }
@@ -152,6 +148,6 @@ fn the_version_of_rug_is_named() {
     let manifest = manifest(".");
     let version = manifest["workspace"]["dependencies"]["rug"]["version"].as_str().unwrap();
     let major = version.split('.').next().unwrap();
-    assert!(text("src/lib.rs").contains(&format!("/// The crate rug {major}: ")));
-    assert!(text("docs/release.md").contains(&format!("which is rug {major}.")));
+    assert!(read("src/lib.rs").contains(&format!("/// The crate rug {major}: ")));
+    assert!(read("docs/release.md").contains(&format!("which is rug {major}.")));
 }

@@ -9,22 +9,22 @@
 //!
 //! What changes from run to run is left out in one place, [`steady`].
 
-use crate::program::{shell, text};
+use crate::house::files;
+use crate::program::{Scratch, shell, text};
 use rayon::prelude::*;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What is seen in a terminal when the commands of a stored output are given in an empty folder.
 fn seen(stored: &str) -> String {
-    let folder = tempfile::tempdir().unwrap();
+    let scratch = Scratch::new();
     let (mut seen, mut is_begun) = (String::new(), false);
     for command in format!("\n{stored}").split("\n$ ").skip(1) {
         let (line, shown) = command.split_once('\n').unwrap_or((command, ""));
         is_begun |= !line.starts_with("cat ");
         if !is_begun {
-            let file = folder.path().join(&line["cat ".len()..]);
-            std::fs::write(file, format!("{}\n", shown.trim_end())).unwrap();
+            scratch.write(&line["cat ".len()..], format!("{}\n", shown.trim_end()));
         }
-        let output = shell(line, folder.path());
+        let output = shell(line, scratch.folder());
         seen += &format!("$ {line}\n{}", text(&output.stdout));
         for line in text(&output.stderr).lines() {
             seen += &format!("! {line}\n");
@@ -54,9 +54,7 @@ fn compare(path: &Path) {
 
 #[test]
 fn every_stored_output_is_that_of_its_commands() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/it/snapshots");
-    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let files: Vec<PathBuf> = files.collect();
+    let files = files("tests/it/snapshots", "txt");
     assert!(files.len() > 60);
     files.par_iter().for_each(|path| compare(path));
 }

@@ -1,26 +1,26 @@
 //! The reference bundle, made small: as its schemas say, replayed, and spoiled.
 
 use crate::export::schemas::check;
-use crate::program::{Scratch, json, text};
+use crate::house::{certificates, house, read};
+use crate::program::{Json, Scratch, json, tells, text, texts};
 use crate::tool::{has, has_module};
 use couplet::claims::claims;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Output};
-
-fn house() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
 
 /// Runs Python over the scripts of `proofs/reference`; what it does not say is no output.
 fn python(arguments: &[&str]) -> String {
-    let output = Command::new("python3").args(arguments).current_dir(house()).output().unwrap();
+    let output = Command::new("python3").args(arguments).current_dir(house("")).output().unwrap();
     assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
     text(&output.stdout)
 }
+
+/// Of each replay its exit code, and what it says.
+type Said = Vec<(Option<i32>, String)>;
 
 /// A small bundle in a folder of its own, and the checker alone.
 struct Bundle {
@@ -53,20 +53,14 @@ impl Bundle {
     }
 
     /// Both replays, of which that by Arb needs a package: exit code and what is said.
-    fn replayed(&self, arb: bool) -> Vec<(Option<i32>, String)> {
+    fn replayed(&self, arb: bool) -> Said {
         let outputs = [Some(self.by_the_checker()), arb.then(|| self.by_arb())];
         let said = |output: &Output| text(&output.stdout) + &text(&output.stderr);
         outputs.iter().flatten().map(|output| (output.status.code(), said(output))).collect()
     }
 
     /// Puts a file in the place of one, says what both replays say of it, and puts it back.
-    fn with(
-        &self,
-        name: &str,
-        bytes: &[u8],
-        fitted: bool,
-        arb: bool,
-    ) -> Vec<(Option<i32>, String)> {
+    fn with(&self, name: &str, bytes: &[u8], fitted: bool, arb: bool) -> Said {
         let [path, manifest] = [self.folder.join(name), self.folder.join("MANIFEST")];
         let [before, listed] = [&path, &manifest].map(|path| fs::read(path).unwrap());
         fs::write(&path, bytes).unwrap();
@@ -101,28 +95,26 @@ fn the_map_has_everything_that_is_proved() {
     let map = python(&["proofs/reference/theorem_map.py", env!("CARGO_BIN_EXE_couplet")]);
     let map: Value = serde_json::from_str(&map).unwrap();
     check(&map, &mut BTreeSet::new());
-    let rows = map["rows"].as_array().unwrap();
+    let rows = map["rows"].list();
     let ids = |kind: &str| -> Vec<&str> {
-        rows.iter()
-            .filter(|row| row["kind"] == kind)
-            .map(|row| row["id"].as_str().unwrap())
-            .collect()
+        let of_kind = rows.iter().filter(|row| row["kind"] == kind);
+        of_kind.map(|row| row["id"].text()).collect()
     };
     assert_eq!(ids("claim"), claims().iter().map(|claim| claim.id).collect::<Vec<_>>());
-    let listed = fs::read_to_string(house().join("proofs/coq/hand_theorems.txt")).unwrap();
+    let listed = read("proofs/coq/hand_theorems.txt");
     let listed: Vec<&str> = listed.lines().map(|line| line.split('\t').next().unwrap()).collect();
     assert_eq!(ids("theorem"), listed);
     let curves = json("map --weight both --tolerance 1e-2 --format json");
-    assert_eq!(ids("curve").len(), curves["curves"].as_array().unwrap().len());
+    assert_eq!(ids("curve").len(), curves["curves"].list().len());
 
     let said = |arguments: &[&str]| squeezed(&text(&crate::program::couplet(arguments).stdout));
     let outputs = [said(&["prove"]), said(&["map", "--weight", "both"])];
     for row in rows {
-        let file = row["file"].as_str().unwrap();
-        let path = house().join(file);
+        let file = row["file"].text();
+        let path = house(file);
         assert!(path.exists(), "{file}");
-        let name = row["name"].as_str().unwrap();
-        let output = match row["kind"].as_str().unwrap() {
+        let name = row["name"].text();
+        let output = match row["kind"].text() {
             "claim" => &outputs[0],
             "curve" => &outputs[1],
             _ => {
@@ -131,8 +123,8 @@ fn the_map_has_everything_that_is_proved() {
                 continue;
             }
         };
-        for shown in row["expected"]["shows"].as_array().unwrap() {
-            let shown = shown.as_str().unwrap();
+        for shown in row["expected"]["shows"].list() {
+            let shown = shown.text();
             assert!(output.contains(&squeezed(shown)), "{shown}");
             let false_twin = squeezed(shown).replacen(name, &format!("not-{name}"), 1);
             assert!(!shown.contains(name) || !output.contains(&false_twin), "{false_twin}");
@@ -161,7 +153,7 @@ fn a_bundle_replays_and_names_a_changed_byte() {
         assert!(said.contains("certificates prove what index.jsonl says"), "{said}");
     }
 
-    let named = |said: Vec<(Option<i32>, String)>, name: &str, fault: &str| {
+    let named = |said: Said, name: &str, fault: &str| {
         for (code, said) in said {
             assert_eq!(code, Some(1), "{name}: {said}");
             assert!(said.contains(&format!("{name}: {fault}")), "{name}: {said}");
@@ -209,12 +201,7 @@ fn a_bundle_replays_and_names_a_changed_byte() {
         whole.replacen(from, to, 1).into_bytes()
     };
     for (name, from, to, fault) in [
-        (
-            "index.jsonl",
-            "the arch stands at no thickness",
-            "the arch stands at every thickness",
-            "index.jsonl says",
-        ),
+        ("index.jsonl", "stands at no thickness", "stands at every thickness", "index.jsonl says"),
         ("index.jsonl", "thickness = 0.679604", "thickness = 0.679605", "index.jsonl says"),
         (certificate, "\"value\": \"0.67960", "\"value\": \"0.67961", "refused"),
         (certificate, "\"weight\": \"heyman\"", "\"weight\": \"milankovitch\"", "refused"),
@@ -248,13 +235,13 @@ fn scripts_say_what_they_need() {
     if !has("python3", "--version") || !has("sha256sum", "--version") {
         return;
     }
-    let script = house().join("proofs/reference/replay_check.sh");
+    let script = house("proofs/reference/replay_check.sh");
     for (arguments, code) in [(vec!["no-such-checker"], 3), (vec!["a", "b"], 2)] {
         let output = Command::new("sh").arg(&script).args(&arguments).output().unwrap();
         assert_eq!(output.status.code(), Some(code), "{arguments:?}");
         assert_eq!(text(&output.stderr).lines().count(), 1, "{arguments:?}");
     }
-    let script = house().join("proofs/reference/replay_arb.py");
+    let script = house("proofs/reference/replay_arb.py");
     let output = Command::new("python3").arg(script).arg("more").output().unwrap();
     assert_eq!(output.status.code(), Some(2));
 }
@@ -262,7 +249,6 @@ fn scripts_say_what_they_need() {
 /// Metadata of one source: what `make metadata` wrote agrees with CITATION.cff, and that with Cargo.toml.
 #[test]
 fn metadata_agree() {
-    let read = |name: &str| fs::read_to_string(house().join(name)).unwrap();
     let citation = read("CITATION.cff");
     let field = |name: &str| {
         let line = citation.lines().find_map(|line| line.strip_prefix(&format!("{name}: ")));
@@ -291,12 +277,9 @@ fn metadata_agree() {
     let authors: Vec<&str> =
         authors.iter().map(|author| author.strip_prefix("name: ").unwrap()).collect();
     for list in [&codemeta["author"], &zenodo["creators"]] {
-        let names: Vec<&str> =
-            list.as_array().unwrap().iter().map(|one| one["name"].as_str().unwrap()).collect();
-        assert_eq!(names, authors);
-        assert!(
-            read("Cargo.toml").contains(&format!("\nauthors = [\"{}\"]\n", authors.join("\", \"")))
-        );
+        assert_eq!(texts(list.list(), "name"), authors);
+        let line = format!("\nauthors = [\"{}\"]\n", authors.join("\", \""));
+        tells(&read("Cargo.toml"), [line]);
     }
 }
 
@@ -306,11 +289,8 @@ fn statements_are_told_twice() {
     if !has("python3", "--version") || !has_module("flint") {
         return;
     }
-    let folders = ["constants", "states", "asymmetric", "surveys"]
-        .map(|name| house().join("proofs").join(name));
-    let files = folders.iter().flat_map(|folder| fs::read_dir(folder).unwrap());
-    let files = files.map(|entry| entry.unwrap().path().to_str().unwrap().to_owned());
-    let mut files: Vec<String> = files.filter(|path| path.ends_with(".json")).collect();
+    let files = certificates(["constants", "states", "asymmetric", "surveys"]).into_iter();
+    let mut files: Vec<String> = files.map(|path| path.to_str().unwrap().to_owned()).collect();
     // No name makes a line of its own.
     let scratch = Scratch::new();
     files.push(scratch.path("a.json: accepted  T\nb.json"));

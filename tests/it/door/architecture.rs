@@ -1,9 +1,9 @@
 //! The picture of the rooms in `docs/architecture.md` is drawn from the code.
 
+use crate::house::{is_made, read};
 use crate::rooms::{ROOMS, floors, room, rooms_used, sources};
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
 
 const BEGIN: &str = "<!-- rooms: drawn by `make snapshots` -->\n";
 const END: &str = "<!-- end -->\n";
@@ -51,15 +51,10 @@ fn table() -> String {
 
 #[test]
 fn the_picture_of_the_rooms_is_drawn_from_the_code() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/architecture.md");
-    let page = fs::read_to_string(&path).unwrap();
+    let page = read("docs/architecture.md");
     let (before, rest) = page.split_once(BEGIN).unwrap();
-    let (stored, after) = rest.split_once(END).unwrap();
-    let drawn = picture();
-    if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
-        return fs::write(&path, format!("{before}{BEGIN}{drawn}{END}{after}")).unwrap();
-    }
-    assert_eq!(stored, drawn, "make snapshots draws it anew");
+    let (_, after) = rest.split_once(END).unwrap();
+    is_made("docs/architecture.md", &format!("{before}{BEGIN}{}{END}{after}", picture()));
 }
 
 /// Each name of the table of symbols is in the code.

@@ -1,6 +1,5 @@
 //! The page of columns has every one that is written.
 
-use crate::program::{fed, text};
 use std::collections::BTreeSet;
 
 const PAGE: &str = include_str!("../../../docs/columns.md");
@@ -10,10 +9,9 @@ fn named() -> BTreeSet<&'static str> {
     PAGE.split('`').skip(1).step_by(2).collect()
 }
 
-/// The header of what a command makes of a table.
-fn header(arguments: &[&str], table: &str) -> Vec<String> {
-    let written = text(&fed(arguments, table).stdout);
-    written.lines().next().unwrap().split(',').map(str::to_owned).collect()
+/// The names in the header of what a command makes of a table.
+fn header(arguments: &str, table: &str) -> Vec<String> {
+    crate::program::header(arguments, table).split(',').map(str::to_owned).collect()
 }
 
 #[test]
@@ -31,15 +29,15 @@ fn every_column_is_on_the_page() {
     let states = "alpha,mu,eta\n1,1,1\n";
     let results = "alpha,mu,given_thickness,least_thickness,thrust,mode\n1,1,1,1,1,rrr\n";
     for name in [
-        header(&["states", "--columns", "all"], "alpha,mu\n1,1\n"),
-        header(&["states", "--columns", "all"], states),
-        header(&["states", "--ranges"], "span,rise,mu,eta\n1m,1m,1,1m\n"),
-        header(&["judge", "-", "--format", "csv"], results),
-        header(&["sample", "--count", "0"], ""),
-        header(&["map", "--curve", "limit", "--format", "csv"], ""),
-        header(&["map", "point", "limit", "--at", "1.5", "--format", "csv"], ""),
-        header(&["complementarity", "--alpha", "2.21", "--branch", "--format", "csv"], ""),
-        header(&["map", "difference", "--tolerance", "1e-2", "--format", "csv"], ""),
+        header("states --columns all", "alpha,mu\n1,1\n"),
+        header("states --columns all", states),
+        header("states --ranges", "span,rise,mu,eta\n1m,1m,1,1m\n"),
+        header("judge - --format csv", results),
+        header("sample --count 0", ""),
+        header("map --curve limit --format csv", ""),
+        header("map point limit --at 1.5 --format csv", ""),
+        header("complementarity --alpha 2.21 --branch --format csv", ""),
+        header("map difference --tolerance 1e-2 --format csv", ""),
     ]
     .concat()
     {

@@ -1,11 +1,11 @@
 //! Completions and manual pages: each knows every command, and the programs that read them do not complain.
 
-use crate::program::{couplet, printed, said, shell};
+use crate::program::{Scratch, ended, printed, said, shell, tells};
 use std::process::{Command, Stdio};
 
 /// The commands of this build, from its help.
 pub(super) fn commands() -> Vec<String> {
-    let help = String::from_utf8(couplet("--help").stdout).unwrap();
+    let help = printed("--help");
     let (groups, _) = help.split_once("\nOptions:").unwrap();
     let lines = groups.lines().skip(4).filter_map(|line| line.strip_prefix("  "));
     lines.map(|line| line.split_whitespace().next().unwrap().to_owned()).collect()
@@ -17,12 +17,11 @@ fn the_examples_of_the_help_work() {
     let all = commands();
     assert!(all.len() >= 20 && all.contains(&"state".to_owned()), "{all:?}");
     for name in all.iter().filter(|name| !["completions", "man"].contains(&name.as_str())) {
-        let help = String::from_utf8(couplet([name, "--help"]).stdout).unwrap();
+        let help = printed([name, "--help"]);
         let (_, examples) = help.split_once("\nExamples:\n").unwrap_or_else(|| panic!("{name}"));
-        let folder = tempfile::tempdir().unwrap();
-        assert!(examples.lines().all(|line| line.chars().count() <= 78), "{examples}");
+        let scratch = Scratch::new();
         for example in examples.replace(" \\\n", " ").lines() {
-            let (code, _, said) = said(&shell(example, folder.path()));
+            let (code, _, said) = said(&shell(example, scratch.folder()));
             assert_eq!(code, Some(0), "{example}: {said}");
             assert!(example.contains(&format!("couplet {name}")), "{example}");
         }
@@ -41,7 +40,7 @@ fn other_words_for_a_command_are_it() {
         ("arch", "assess"),
         ("bridge", "assess"),
     ] {
-        assert_eq!(couplet([word, "--help"]).stdout, couplet([name, "--help"]).stdout, "{word}");
+        assert_eq!(printed([word, "--help"]), printed([name, "--help"]), "{word}");
     }
 }
 
@@ -55,33 +54,24 @@ fn complaint(program: &str, arguments: &[&str]) -> Option<String> {
 
 #[test]
 fn the_completions_name_every_command() {
-    let folder = tempfile::tempdir().unwrap();
+    let scratch = Scratch::new();
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        let output = couplet(["completions", shell]);
-        assert_eq!(output.status.code(), Some(0), "{shell}");
-        let script = String::from_utf8(output.stdout).unwrap();
-        for name in commands() {
-            assert!(script.contains(&name), "{shell}: {name}");
-        }
-        let file = folder.path().join(shell).to_str().unwrap().to_owned();
-        std::fs::write(&file, script).unwrap();
+        let script = printed(["completions", shell]);
+        tells(&script, commands());
+        scratch.write(shell, script);
         // Those of the shells that can read a script without running it.
         if ["bash", "zsh", "fish"].contains(&shell) {
-            assert_eq!(complaint(shell, &["-n", &file]), None, "{shell}");
+            assert_eq!(complaint(shell, &["-n", &scratch.path(shell)]), None, "{shell}");
         }
     }
 }
 
 #[test]
 fn every_command_has_a_page() {
-    let scratch = tempfile::tempdir().unwrap();
-    let folder = scratch.path().join("made/man1").to_str().unwrap().to_owned();
+    let scratch = Scratch::new();
+    let folder = scratch.path("made/man1");
     printed(["man", &folder]);
-    let mut pages: Vec<String> = std::fs::read_dir(&folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
-    pages.sort();
+    let pages = scratch.files("made/man1");
     assert!(pages.contains(&"couplet.1".into()));
     assert!(pages.iter().all(|page| !page.contains("help")), "{pages:?}");
     for name in commands() {
@@ -89,7 +79,7 @@ fn every_command_has_a_page() {
     }
     for page in &pages {
         let path = format!("{folder}/{page}");
-        let text = std::fs::read_to_string(&path).unwrap();
+        let text = scratch.read(&format!("made/man1/{page}"));
         assert!(text.contains(".SH NAME") && text.contains(".SH DESCRIPTION"), "{page}");
         assert_eq!(complaint("man", &["--warnings", "-E", "UTF-8", "-l", "-Z", &path]), None);
         assert_eq!(complaint("mandoc", &["-T", "lint", "-W", "error", &path]), None, "{page}");
@@ -98,9 +88,8 @@ fn every_command_has_a_page() {
 
 #[test]
 fn the_page_of_couplet_itself_goes_to_standard_output() {
-    let output = couplet("man");
-    let page = String::from_utf8(output.stdout).unwrap();
-    assert!(output.status.success() && page.contains("Exit codes: 0 everything asked was proved"));
+    let page = printed("man");
+    assert!(page.contains("Exit codes: 0 everything asked was proved"));
     for name in commands() {
         // A hyphen is escaped in a page.
         assert!(page.replace('\\', "").contains(&format!("couplet-{name}(1)")), "{name}");
@@ -109,8 +98,6 @@ fn the_page_of_couplet_itself_goes_to_standard_output() {
 
 #[test]
 fn what_cannot_be_written_is_named() {
-    let output = couplet("man /dev/null/pages");
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(3));
+    let (_, said) = ended(3, "man /dev/null/pages", "");
     assert!(said.lines().count() == 1 && said.contains("/dev/null/pages"), "{said}");
 }

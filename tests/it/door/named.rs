@@ -1,5 +1,6 @@
 //! What the pages name is there: every file once, every target of make, every option.
 
+use crate::house::{house, read};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,10 +10,6 @@ const NOT_OURS: [&str; 3] = ["target", ".git", "node_modules"];
 /// Ends of the names that are looked up.
 const ENDS: [&str; 6] = [".rs", ".v", ".py", ".sh", ".ml", ".mli"];
 
-fn house() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
 /// All files below a folder, from the top of the house.
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
@@ -21,16 +18,22 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
         match path.is_dir() {
             true if is_ours => files(&path, found),
             true => {}
-            false => found.push(path.strip_prefix(house()).unwrap().to_owned()),
+            false => found.push(path.strip_prefix(house("")).unwrap().to_owned()),
         }
     }
+}
+
+fn all() -> Vec<PathBuf> {
+    let mut all = Vec::new();
+    files(&house(""), &mut all);
+    all
 }
 
 /// Each page with its text, but for what has been: the changelog.
 fn pages(all: &[PathBuf]) -> Vec<(&PathBuf, String)> {
     let pages = all.iter().filter(|path| path.extension().is_some_and(|end| end == "md"));
     let pages = pages.filter(|path| !path.ends_with("CHANGELOG.md"));
-    pages.map(|path| (path, fs::read_to_string(house().join(path)).unwrap())).collect()
+    pages.map(|path| (path, fs::read_to_string(house("").join(path)).unwrap())).collect()
 }
 
 /// What stands between backquotes in a line of a text.
@@ -40,7 +43,7 @@ fn quoted(text: &str) -> impl Iterator<Item = &str> {
 
 /// How often a name is the end of a path, if it is not there beside its page. It may leave out `src`.
 fn places(name: &str, page: &Path, all: &[PathBuf]) -> usize {
-    let is_beside = page.parent().is_some_and(|folder| house().join(folder).join(name).exists());
+    let is_beside = page.parent().is_some_and(|folder| house("").join(folder).join(name).exists());
     let is_it = |path: &&PathBuf| {
         let short: PathBuf = path.iter().filter(|part| *part != "src").collect();
         path.ends_with(name) || short.ends_with(name)
@@ -59,8 +62,7 @@ fn named_files(text: &str) -> BTreeSet<&str> {
 
 #[test]
 fn every_file_that_a_page_names_is_there_once() {
-    let mut all = Vec::new();
-    files(house(), &mut all);
+    let all = all();
     let page = Path::new("docs/x.md");
     let named: Vec<_> =
         named_files("`mod.rs`, `a b.rs`, `*.v`\n`no.rs` no.py").into_iter().collect();
@@ -82,9 +84,8 @@ fn every_file_that_a_page_names_is_there_once() {
 
 #[test]
 fn every_target_and_option_that_a_page_names_is_there() {
-    let mut all = Vec::new();
-    files(house(), &mut all);
-    let makefile = fs::read_to_string(house().join("Makefile")).unwrap();
+    let all = all();
+    let makefile = read("Makefile");
     let heads = makefile.lines().filter(|line| !line.starts_with(['\t', '#', ' ', '@']));
     let targets: BTreeSet<&str> = heads
         .filter_map(|line| line.split_once(':').filter(|(_, rest)| !rest.starts_with('=')))
@@ -94,7 +95,8 @@ fn every_target_and_option_that_a_page_names_is_there() {
         let name = path.file_name().and_then(|name| name.to_str());
         name.is_some_and(|name| name.starts_with("help_"))
     });
-    let helps: String = helps.map(|path| fs::read_to_string(house().join(path)).unwrap()).collect();
+    let helps: String =
+        helps.map(|path| fs::read_to_string(house("").join(path)).unwrap()).collect();
     let mut options = options_in(&helps);
     // Of every program, and so in no list.
     options.insert("--version");

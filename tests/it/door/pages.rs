@@ -1,7 +1,7 @@
 //! Every command that the README or `docs/commands.md` shows is run, and prints what is shown.
 
-use crate::program::{said, shell};
-use std::path::Path;
+use crate::house::files;
+use crate::program::{Scratch, said, shell};
 
 const PAGES: [(&str, &str); 3] = [
     ("README.md", include_str!("../../../README.md")),
@@ -75,14 +75,12 @@ fn what_is_missing_is_seen() {
 
 /// In an empty folder; a file that is shown by `cat` is written first.
 fn run(page: &str, name: &str) -> usize {
-    let folder = tempfile::tempdir().unwrap();
-    let all = examples(page);
+    let (scratch, all) = (Scratch::new(), examples(page));
     for Example { command, shown } in &all {
         if let Some(file) = command.strip_prefix("cat ") {
-            let content = format!("{}\n", shown.join("\n").trim_end());
-            std::fs::write(folder.path().join(file), content).unwrap();
+            scratch.write(file, format!("{}\n", shown.join("\n").trim_end()));
         }
-        let (code, printed, said) = said(&shell(command, folder.path()));
+        let (code, printed, said) = said(&shell(command, scratch.folder()));
         assert!(code == Some(0) && said.is_empty(), "{name}: {command}: {said}");
         if let Some(line) = missing(&printed, shown) {
             panic!("{name}: {command} does not print\n{line}\nbut\n{printed}");
@@ -117,11 +115,7 @@ fn the_pages_are_complete() {
 
 #[test]
 fn no_link_of_a_page_leads_nowhere() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let pages =
-        std::fs::read_dir(root).unwrap().chain(std::fs::read_dir(root.join("docs")).unwrap());
-    let pages = pages.map(|entry| entry.unwrap().path());
-    for page in pages.filter(|path| path.extension().is_some_and(|end| end == "md")) {
+    for page in [files("", "md"), files("docs", "md")].concat() {
         let text = std::fs::read_to_string(&page).unwrap();
         for link in text.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()) {
             let file = link.split('#').next().unwrap();

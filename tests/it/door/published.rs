@@ -1,6 +1,6 @@
 //! The published arches: `docs/arches.md` says of every row of `examples/arches.csv` what the program proves.
 
-use crate::program::{couplet, json, text};
+use crate::program::{Json, json, printed, rows};
 use std::collections::BTreeMap;
 
 const PAGE: &str = include_str!("../../../docs/arches.md");
@@ -9,12 +9,8 @@ const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/arches.csv");
 /// A row of a table by the names of its columns.
 type Row = BTreeMap<String, String>;
 
-fn rows(table: &str) -> Vec<Row> {
-    csv::Reader::from_reader(table.as_bytes()).deserialize().map(Result::unwrap).collect()
-}
-
 fn given() -> Vec<Row> {
-    rows(&std::fs::read_to_string(TABLE).unwrap())
+    rows(std::fs::read(TABLE).unwrap())
 }
 
 /// The cells of the page's table but the last, which is the source's.
@@ -33,35 +29,26 @@ fn the_page_of_published_arches_says_what_is_proved() {
     let command =
         PAGE.lines().find_map(|line| line.strip_prefix("couplet states examples/arches.csv "));
     let options: Vec<&str> = command.unwrap().split(' ').collect();
-    let answers = couplet([&["states", TABLE], &options[..]].concat());
-    assert_eq!(answers.status.code(), Some(0), "{}", text(&answers.stderr));
-    let (given, answers) = (given(), rows(&text(&answers.stdout)));
+    let answers = rows(printed([&["states", TABLE], &options[..]].concat()));
+    let given = given();
     assert_eq!(given.len(), answers.len());
-    let expected: Vec<Vec<String>> = given
-        .iter()
-        .zip(&answers)
-        .map(|(row, answer)| {
-            assert_eq!((&row["name"], &answer["verdict"]), (&answer["name"], &"proved".to_owned()));
-            let measures = ["half_opening", "span", "rise", "radius", "thickness"];
-            let measures = measures.map(|name| row[name].as_str());
-            let measures: Vec<&str> =
-                measures.into_iter().filter(|cell| !cell.is_empty()).collect();
-            let ends =
-                ["lower", "upper"].map(|end| answer[&format!("geometric_safety_{end}")].as_str());
-            let safety = if ends == [""; 2] { "none".to_owned() } else { ends.join(" to ") };
-            let outcome = answer["outcome"].replace('_', " ");
-            let needs = or_none(&answer["required_friction_upper"]).to_owned();
-            vec![
-                row["name"].clone(),
-                measures.join(" × "),
-                row["friction"].clone(),
-                outcome,
-                safety,
-                needs,
-            ]
-        })
-        .collect();
-    assert_eq!(page(), expected);
+    let expected = given.iter().zip(&answers).map(|(row, answer)| {
+        assert_eq!((&row["name"], &answer["verdict"]), (&answer["name"], &"proved".to_owned()));
+        let measures = ["half_opening", "span", "rise", "radius", "thickness"];
+        let measures = measures.map(|name| row[name].as_str()).into_iter();
+        let measures: Vec<&str> = measures.filter(|cell| !cell.is_empty()).collect();
+        let ends =
+            ["lower", "upper"].map(|end| answer[&format!("geometric_safety_{end}")].as_str());
+        vec![
+            row["name"].clone(),
+            measures.join(" × "),
+            row["friction"].clone(),
+            answer["outcome"].replace('_', " "),
+            if ends == [""; 2] { "none".to_owned() } else { ends.join(" to ") },
+            or_none(&answer["required_friction_upper"]).to_owned(),
+        ]
+    });
+    assert_eq!(page(), expected.collect::<Vec<_>>());
 }
 
 #[test]
@@ -89,14 +76,10 @@ fn published_blocks_have_the_answer_of_their_arch() {
         }
         // A range, so that the answer has the words of one.
         let thickness = format!("{0}..{0}", row["thickness"]);
-        arguments.extend([
-            "--thickness".into(),
-            thickness,
-            "--stones".into(),
-            row["blocks"].clone(),
-        ]);
+        arguments.extend(["--thickness".into(), thickness]);
+        arguments.extend(["--stones".into(), row["blocks"].clone()]);
         let found = json(arguments.iter().map(String::as_str).collect::<Vec<_>>());
-        let outcome = found["outcome"].as_str().unwrap().replace('_', " ");
+        let outcome = found["outcome"].text().replace('_', " ");
         assert_eq!(outcome, page[row["name"].as_str()], "{}", row["name"]);
     }
 }

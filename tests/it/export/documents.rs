@@ -2,13 +2,13 @@
 
 use super::constants;
 use super::expected::all;
-use crate::program::couplet;
+use crate::house::hash;
+use crate::program::{Json, couplet, object, tells};
 use couplet::arch::SelfWeight;
 use couplet::certify::Undecided;
 use couplet::problem::Landmark;
 use couplet::report::{Answer, Answers, Format, Reported};
 use serde_json::Value;
-use sha2::{Digest, Sha256};
 
 /// Without what one format has no word for.
 fn without_nulls(value: Value) -> Value {
@@ -38,11 +38,11 @@ fn doubles_are_those_of_the_true_values() {
     let json: Value = serde_json::from_slice(&constants("json")).unwrap();
     let all = all();
     let mut differ = 0;
-    for entry in json["constants"].as_array().unwrap() {
+    for entry in json["constants"].list() {
         let of = |expected: &&super::expected::Expected| {
             entry["weight"] == *expected.weight && entry["quantity"] == *expected.quantity
         };
-        let point = match entry["landmark"].as_str().unwrap() {
+        let point = match entry["landmark"].text() {
             "l" => "ROTATION_END".to_owned(),
             "L" => "OVERTURNING_END".to_owned(),
             other => other.to_uppercase(),
@@ -51,7 +51,7 @@ fn doubles_are_those_of_the_true_values() {
         let number = |key: &str| entry[key].as_f64().unwrap_or(f64::INFINITY).to_bits();
         let error = if entry["value"] == "inf" { 0 } else { number("double_error") };
         expected.check([number("double"), number("double_lower"), number("double_upper"), error]);
-        let of_its_text: f64 = entry["value"].as_str().unwrap().parse().unwrap();
+        let of_its_text: f64 = entry["value"].text().parse().unwrap();
         differ += usize::from(of_its_text != expected.doubles[0]);
     }
     assert!(differ > 100, "three digits make another double than the true value");
@@ -61,28 +61,25 @@ fn doubles_are_those_of_the_true_values() {
 fn the_hash_is_that_of_what_certify_writes() {
     let json: Value = serde_json::from_slice(&constants("json")).unwrap();
     let header = String::from_utf8(constants("c")).unwrap();
-    let proofs = json["proofs"].as_array().unwrap();
+    let proofs = json["proofs"].list();
     assert_eq!(proofs.len(), 14);
     for proof in proofs.iter().step_by(4) {
-        let command = proof["certificate"]["command"].as_str().unwrap();
+        let command = proof["certificate"]["command"].text();
         let words: Vec<&str> = command.split(' ').collect();
         assert_eq!((words[0], words[6]), ("couplet", "3"), "{command}");
         let written = couplet(&words[1..]).stdout;
-        let hash: String =
-            Sha256::digest(&written).iter().map(|byte| format!("{byte:02x}")).collect();
-        assert_eq!(proof["certificate"]["sha256"], *hash, "{command}");
+        let hash = hash(&written);
+        assert_eq!(proof["certificate"]["sha256"], hash, "{command}");
         assert!(header.contains(&hash) && header.contains(command), "{command}");
     }
 }
 
 #[test]
 fn where_there_is_no_hash_is_a_reason() {
-    let arguments = ["constants", "L", "--weight", "heyman", "--digits", "10001"];
-    let output = couplet([&arguments[..], &["--format", "json"]].concat());
-    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let json = object("constants L --weight heyman --digits 10001");
     let certificate = &json["proofs"][0]["certificate"];
     assert_eq!(certificate["sha256"], Value::Null);
-    assert!(certificate["reason"].as_str().unwrap().contains("10000"), "{certificate}");
+    assert!(certificate["reason"].text().contains("10000"), "{certificate}");
 }
 
 #[test]
@@ -99,13 +96,12 @@ fn an_undecided_landmark_is_named_and_has_no_values() {
     for format in ["c", "rust", "python", "julia", "matlab", "fortran", "latex"] {
         let text = text(format);
         let words = "T, triple point, Heyman-like self-weight: undecided, no values: for a test";
-        assert!(text.contains(words), "{text}");
-        assert!(text.contains("no certificate hash: nothing is proved"), "{text}");
+        tells(&text, [words, "no certificate hash: nothing is proved"]);
         assert!(!text.to_lowercase().contains("heyman_") && !text.contains("hex2num"), "{text}");
     }
     assert!(text("latex").contains(r"$T$ & Heyman & \multicolumn{3}{l}{undecided: for a test} \\"));
     let json: Value = serde_json::from_str(&text("json")).unwrap();
+    let proof = &json["proofs"][0];
     assert_eq!(json["constants"], Value::Array(Vec::new()));
-    assert_eq!(json["proofs"][0]["verdict"], "undecided");
-    assert_eq!(json["proofs"][0]["reason"], "for a test");
+    assert_eq!((&proof["verdict"], &proof["reason"]), (&"undecided".into(), &"for a test".into()));
 }

@@ -1,6 +1,6 @@
 //! What every language has to read back, found in another way: from sixty proved digits.
 
-use crate::program::couplet;
+use crate::program::object;
 use couplet::number::Decimal;
 use rug::{Float, Rational};
 use serde_json::Value;
@@ -87,10 +87,8 @@ pub(super) fn all() -> &'static BTreeMap<String, Expected> {
 }
 
 fn find() -> BTreeMap<String, Expected> {
-    let [few, many] = ["3", "60"].map(|digits| {
-        let output = couplet(["constants", "--digits", digits, "--format", "json"]);
-        serde_json::from_slice::<Value>(&output.stdout).unwrap()["constants"].clone()
-    });
+    let [few, many] =
+        ["3", "60"].map(|digits| object(["constants", "--digits", digits])["constants"].clone());
     let pairs = few.as_array().unwrap().iter().zip(many.as_array().unwrap());
     let all: BTreeMap<_, _> =
         pairs.map(|(few, many)| expected(few, many)).map(|value| (value.name(), value)).collect();

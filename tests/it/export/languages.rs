@@ -5,7 +5,6 @@ use super::{constants, has};
 use crate::program::Scratch;
 use rug::Float;
 use rug::float::Round;
-use std::fmt::Write;
 
 const SUFFIXES: [&str; 4] = ["", "_LOWER", "_UPPER", "_ERROR"];
 
@@ -27,28 +26,41 @@ fn has_its_digits(value: &Expected, rest: &[&str]) {
     assert_eq!(rest, [value.text.as_str()], "{}", value.name());
 }
 
+/// A folder with the constants in a language, and a program over each of them.
+fn written(
+    [format, file, main]: [&str; 3],
+    begin: &str,
+    each: impl Fn(&str, &Expected) -> String,
+    end: &str,
+) -> Scratch {
+    let scratch = Scratch::new();
+    scratch.write(file, constants(format));
+    let each: String = all().iter().map(|(name, value)| each(name, value)).collect();
+    scratch.write(main, format!("{begin}{each}{end}"));
+    scratch
+}
+
+/// The four doubles of a value, each as `of` has its name.
+fn doubles(of: impl Fn(&str) -> String, between: &str) -> String {
+    SUFFIXES.map(of).join(between)
+}
+
 fn compiled_as(compiler: &str, arguments: &[&str], source: &str) {
     if !has(compiler, "--version") {
         return;
     }
-    let scratch = Scratch::new();
-    scratch.write("couplet.h", constants("c"));
     // Twice, because a header may be.
-    let mut program = String::from(
-        "#include <inttypes.h>\n#include <stdio.h>\n#include <string.h>\n#include \"couplet.h\"\n\
+    let begin = "#include <inttypes.h>\n#include <stdio.h>\n#include <string.h>\n#include \"couplet.h\"\n\
          #include \"couplet.h\"\n\
          static void bits(double x) {\n  uint64_t n;\n  memcpy(&n, &x, sizeof n);\n\
            printf(\"%016\" PRIx64 \" \", n);\n}\n\
-         static const double constant = COUPLET_T_HEYMAN_THICKNESS;\nint main(void) {\n",
-    );
-    for name in all().keys() {
-        for suffix in SUFFIXES {
-            writeln!(program, "  bits(COUPLET_{name}{suffix});").unwrap();
-        }
-        writeln!(program, "  puts(COUPLET_{name}_TEXT);").unwrap();
-    }
-    program += "  return constant > 0 ? 0 : 1;\n}\n";
-    scratch.write(source, program);
+         static const double constant = COUPLET_T_HEYMAN_THICKNESS;\nint main(void) {\n";
+    let each = |name: &str, _: &Expected| {
+        let bits = doubles(|suffix| format!("  bits(COUPLET_{name}{suffix});\n"), "");
+        format!("{bits}  puts(COUPLET_{name}_TEXT);\n")
+    };
+    let files = ["c", "couplet.h", source];
+    let scratch = written(files, begin, each, "  return constant > 0 ? 0 : 1;\n}\n");
     let strict = ["-Wall", "-Wextra", "-pedantic", "-Werror", source, "-o", "program"];
     scratch.run(compiler, &[arguments, &strict].concat());
     compare(&scratch.run(scratch.path("program"), &[]), has_its_digits);
@@ -66,16 +78,13 @@ fn cpp_reads_every_bit() {
 
 #[test]
 fn rust_reads_every_bit() {
-    let scratch = Scratch::new();
-    scratch.write("constants.rs", constants("rust"));
-    let mut program = String::from("mod constants;\nuse constants::*;\nfn main() {\n");
-    for name in all().keys() {
-        for suffix in SUFFIXES {
-            writeln!(program, "    print!(\"{{:016x}} \", {name}{suffix}.to_bits());").unwrap();
-        }
-        writeln!(program, "    println!(\"{{{name}_TEXT}}\");").unwrap();
-    }
-    scratch.write("main.rs", program + "}\n");
+    let begin = "mod constants;\nuse constants::*;\nfn main() {\n";
+    let each = |name: &str, _: &Expected| {
+        let print =
+            |suffix: &str| format!("    print!(\"{{:016x}} \", {name}{suffix}.to_bits());\n");
+        format!("{}    println!(\"{{{name}_TEXT}}\");\n", doubles(print, ""))
+    };
+    let scratch = written(["rust", "constants.rs", "main.rs"], begin, each, "}\n");
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
     scratch.run(rustc, &["--edition", "2021", "-D", "warnings", "main.rs", "-o", "program"]);
     compare(&scratch.run(scratch.path("program"), &[]), has_its_digits);
@@ -86,16 +95,12 @@ fn python_reads_every_bit() {
     if !has("python3", "--version") {
         return;
     }
-    let scratch = Scratch::new();
-    scratch.write("constants.py", constants("python"));
-    let mut program = String::from(
-        "import struct, constants as c\ndef bits(x): return struct.pack('>d', x).hex()\n",
-    );
-    for name in all().keys() {
-        let doubles = SUFFIXES.map(|suffix| format!("bits(c.{name}{suffix})")).join(", ");
-        writeln!(program, "print({doubles}, str(c.{name}_DECIMAL).lower())").unwrap();
-    }
-    scratch.write("main.py", program);
+    let begin = "import struct, constants as c\ndef bits(x): return struct.pack('>d', x).hex()\n";
+    let each = |name: &str, _: &Expected| {
+        let doubles = doubles(|suffix| format!("bits(c.{name}{suffix})"), ", ");
+        format!("print({doubles}, str(c.{name}_DECIMAL).lower())\n")
+    };
+    let scratch = written(["python", "constants.py", "main.py"], begin, each, "");
     compare(&scratch.run("python3", &["-W", "error", "main.py"]), |value, rest| {
         let text = if value.quad.is_none() { "infinity" } else { &value.text };
         assert_eq!(rest, [text]);
@@ -107,18 +112,14 @@ fn julia_reads_every_bit() {
     if !has("julia", "--version") {
         return;
     }
-    let scratch = Scratch::new();
-    scratch.write("constants.jl", constants("julia"));
-    let mut program = String::from(
-        "include(\"constants.jl\")\nusing .CoupletConstants\nconst C = CoupletConstants\n\
-         bits(x::Float64) = string(reinterpret(UInt64, x), base = 16, pad = 16)\n",
-    );
-    for name in all().keys() {
-        let doubles = SUFFIXES.map(|suffix| format!("bits(C.{name}{suffix})")).join(", \" \", ");
+    let begin = "include(\"constants.jl\")\nusing .CoupletConstants\nconst C = CoupletConstants\n\
+         bits(x::Float64) = string(reinterpret(UInt64, x), base = 16, pad = 16)\n";
+    let each = |name: &str, _: &Expected| {
+        let doubles = doubles(|suffix| format!("bits(C.{name}{suffix})"), ", \" \", ");
         let big = format!("Float64(round(C.{name}_BIG, sigdigits = 3))");
-        writeln!(program, "println({doubles}, \" \", bits({big}))").unwrap();
-    }
-    scratch.write("main.jl", program);
+        format!("println({doubles}, \" \", bits({big}))\n")
+    };
+    let scratch = written(["julia", "constants.jl", "main.jl"], begin, each, "");
     compare(&scratch.run("julia", &["--startup-file=no", "main.jl"]), |value, rest| {
         let read = f64::from_bits(u64::from_str_radix(rest[0], 16).unwrap());
         assert_eq!(read, value.text.parse::<f64>().unwrap(), "{}", value.name());
@@ -130,23 +131,20 @@ fn octave_reads_every_bit() {
     if !has("octave-cli", "--version") {
         return;
     }
-    let scratch = Scratch::new();
-    scratch.write("couplet_constants.m", constants("matlab"));
-    let mut program = String::from("c = couplet_constants();\n");
-    for value in all().values() {
+    let each = |_: &str, value: &Expected| {
         let point = match value.point {
             long if long.contains("END") => long.to_lowercase(),
             "SB" => "sb".into(),
             short => short.into(),
         };
         let name = format!("c.{point}.{}.{}", value.weight, value.quantity);
-        let doubles =
-            ["value", "lower", "upper", "error"].map(|field| format!("num2hex({name}.{field})"));
-        writeln!(program, "printf('%s %s %s %s %s\\n', {}, {name}.text);", doubles.join(", "))
-            .unwrap();
-        writeln!(program, "assert(isempty({name}.digits));").unwrap();
-    }
-    scratch.write("main.m", program);
+        let doubles = ["value", "lower", "upper", "error"];
+        let doubles = doubles.map(|field| format!("num2hex({name}.{field})")).join(", ");
+        let print = format!("printf('%s %s %s %s %s\\n', {doubles}, {name}.text);");
+        format!("{print}\nassert(isempty({name}.digits));\n")
+    };
+    let files = ["matlab", "couplet_constants.m", "main.m"];
+    let scratch = written(files, "c = couplet_constants();\n", each, "");
     compare(&scratch.run("octave-cli", &["--norc", "--quiet", "main.m"]), has_its_digits);
 }
 
@@ -155,16 +153,15 @@ fn fortran_reads_every_bit() {
     if !has("gfortran", "--version") {
         return;
     }
-    let scratch = Scratch::new();
-    scratch.write("constants.f90", constants("fortran"));
-    let mut program = String::from("program main\n  use couplet_constants\n  implicit none\n");
-    for (name, value) in all() {
-        let doubles = SUFFIXES.map(|suffix| format!("{name}{suffix}")).join(", &\n    ");
+    let begin = "program main\n  use couplet_constants\n  implicit none\n";
+    let each = |name: &str, value: &Expected| {
+        let doubles = doubles(|suffix| format!("{name}{suffix}"), ", &\n    ");
         // Infinity is no constant of that kind.
         let quad = if value.quad.is_some() { format!("{name}_quad") } else { "0.0_real128".into() };
-        writeln!(program, "  print '(4(z16.16,1x),z32.32)', {doubles}, &\n    {quad}").unwrap();
-    }
-    scratch.write("main.f90", program + "end program main\n");
+        format!("  print '(4(z16.16,1x),z32.32)', {doubles}, &\n    {quad}\n")
+    };
+    let files = ["fortran", "constants.f90", "main.f90"];
+    let scratch = written(files, begin, each, "end program main\n");
     let strict = ["-std=f2008", "-Wall", "-Wextra", "-pedantic", "-Werror"];
     let files = ["constants.f90", "main.f90", "-o", "program"];
     scratch.run("gfortran", &[&strict[..], &files].concat());

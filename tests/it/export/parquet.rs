@@ -10,12 +10,15 @@ use parquet::record::{Field, Row};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 
-/// The rows by column, and the metadata.
-pub(crate) fn read(file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<String, String>) {
+fn opened(file: Vec<u8>) -> SerializedFileReader<File> {
     let scratch = Scratch::new();
     scratch.write("table.parquet", file);
-    let file = File::open(scratch.path("table.parquet")).unwrap();
-    let reader = SerializedFileReader::new(file).unwrap();
+    SerializedFileReader::new(File::open(scratch.path("table.parquet")).unwrap()).unwrap()
+}
+
+/// The rows by column, and the metadata.
+pub(crate) fn read(file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<String, String>) {
+    let reader = opened(file);
     let notes = reader.metadata().file_metadata().key_value_metadata().unwrap();
     let notes = notes.iter().map(|note| (note.key.clone(), note.value.clone().unwrap()));
     let row = |row: Result<Row, _>| row.unwrap().into_columns().into_iter().collect();
@@ -25,10 +28,7 @@ pub(crate) fn read(file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<Str
 /// The least and the largest value of each column of doubles, row group by row group, as a reader takes them that knows
 /// no order but that of the type.
 pub(crate) fn groups(file: Vec<u8>) -> Vec<Vec<(String, f64, f64)>> {
-    let scratch = Scratch::new();
-    scratch.write("table.parquet", file);
-    let reader = SerializedFileReader::new(File::open(scratch.path("table.parquet")).unwrap());
-    let metadata = reader.unwrap().metadata().clone();
+    let metadata = opened(file).metadata().clone();
     let is_known = |of: &ColumnOrder| matches!(of, ColumnOrder::TYPE_DEFINED_ORDER(_));
     assert!(metadata.file_metadata().column_orders().unwrap().iter().all(is_known));
     let bounds = |column: &ColumnChunkMetaData| {
@@ -50,10 +50,8 @@ fn double(field: &Field) -> u64 {
 #[test]
 fn constants_are_read_back_bit_for_bit() {
     let (rows, notes) = read(super::constants("parquet"));
-    assert_eq!(
-        (notes["couplet.digits"].as_str(), notes["couplet.schema"].as_str()),
-        ("3", "couplet.constants/1")
-    );
+    assert_eq!(notes["couplet.digits"], "3");
+    assert_eq!(notes["couplet.schema"], "couplet.constants/1");
     assert!(notes["couplet.tool"].starts_with("couplet "));
     let all = all();
     assert_eq!(rows.len(), all.len());
@@ -89,10 +87,11 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     assert_eq!(upper, 2.6, "is told by the groups");
     let (rows, notes) = read(output.stdout);
     assert_eq!(notes["couplet.schema"], "couplet.states/2");
-    let lines: BTreeSet<i64> = rows
-        .iter()
-        .map(|row| if let Field::Long(line) = row["line"] { line } else { panic!("{row:?}") })
-        .collect();
+    let line = |row: &BTreeMap<String, Field>| match row["line"] {
+        Field::Long(line) => line,
+        _ => panic!("{row:?}"),
+    };
+    let lines: BTreeSet<i64> = rows.iter().map(line).collect();
     assert_eq!(lines, (2..=3004).collect(), "two groups");
     assert_eq!(text(&rows[0]["value"]), "0.12219");
     assert_eq!(double(&rows[0]["double"]), 0.12219158636254615f64.to_bits(), "of the true value");
@@ -108,13 +107,10 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     let (kept, _) = read(kept.stdout);
     assert_eq!((text(&kept[0]["id"]), text(&kept[0]["input_mode"])), ("7", "x"));
     assert_eq!(double(&kept[0]["half_opening_deg"]), 57.29577951308232f64.to_bits());
-    let assessed =
-        fed("states --format parquet", "weight,alpha,mu,thickness\nheyman,pi/2,0.38,0.2\n");
-    let (rows, _) = read(assessed.stdout);
-    assert_eq!(
-        (text(&rows[0]["quantity"]), text(&rows[0]["thickness"])),
-        ("least_thickness", "0.2")
-    );
+    let assessed = "weight,alpha,mu,thickness\nheyman,pi/2,0.38,0.2\n";
+    let (rows, _) = read(fed("states --format parquet", assessed).stdout);
+    let cells = ["quantity", "thickness"].map(|name| text(&rows[0][name]));
+    assert_eq!(cells, ["least_thickness", "0.2"]);
 }
 
 /// Every cell that both formats have of an arch is the same in both, of bad rows too, and neither has a value that the
@@ -143,11 +139,8 @@ fn states_are_those_of_csv_cell_by_cell() {
     };
     let mut all: BTreeMap<String, Vec<&BTreeMap<String, Field>>> = BTreeMap::new();
     rows.iter().for_each(|row| all.entry(shown(&row["line"])).or_default().push(row));
-    let csv = written("csv");
-    let mut csv = csv::Reader::from_reader(&csv[..]);
     let mut compared = 0;
-    for row in csv.deserialize::<BTreeMap<String, String>>() {
-        let row = row.unwrap();
+    for row in crate::program::rows(written("csv")) {
         let same = all.remove(&row["line"]).unwrap();
         // The thickness of a state is the least one, in a table that has a column for another.
         let quantity = |of: &BTreeMap<String, Field>| match text(&of["quantity"]) {

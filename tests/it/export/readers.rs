@@ -1,6 +1,6 @@
 //! Rows of arches, opened by other programs without any surgery on their texts.
 
-use crate::program::{Scratch, couplet};
+use crate::program::{Scratch, printed};
 use crate::tool::{has, has_module};
 
 /// A sweep in degrees, whose texts are fractions, and every kind of friction.
@@ -23,11 +23,16 @@ fn written() -> Scratch {
     scratch.write("queries.csv", QUERIES);
     for format in ["csv", "jsonl"] {
         let (queries, file) = (scratch.path("queries.csv"), scratch.path("states") + "." + format);
-        let written = ["--format", format, "--columns", "doubles", "-o", &file];
-        let output = couplet([&["states", &queries], &written[..]].concat());
-        assert_eq!(output.status.code(), Some(0), "{format}");
+        printed(["states", &queries, "--format", format, "--columns", "doubles", "-o", &file]);
     }
     scratch
+}
+
+/// A program in a file beside the rows, which prints the numbers.
+fn read_by(command: &[&str], file: &str, program: String, allowed: f64) {
+    let scratch = written();
+    scratch.write(file, program);
+    compare(&scratch.run(command[0], &[&command[1..], &[file]].concat()), allowed);
 }
 
 /// Whether a program prints the numbers, row by row. Not every reader rounds correctly.
@@ -48,19 +53,16 @@ fn python_reads_rows_with_its_own_modules() {
     if !has("python3", "--version") {
         return;
     }
-    let scratch = written();
     let table = format!(
         "import csv\nfor r in csv.DictReader(open('states.csv')):\n  \
          print(*[repr(float(r[c])) for c in [{COLUMNS}]])\n"
     );
-    scratch.write("table.py", table);
-    compare(&scratch.run("python3", &["table.py"]), 0.0);
+    read_by(&["python3"], "table.py", table, 0.0);
     let lines = format!(
         "import json\nfor l in open('states.jsonl'):\n  r = json.loads(l)\n  \
          print(*[repr(float('inf') if r[c] is None else r[c]) for c in [{COLUMNS}]])\n"
     );
-    scratch.write("lines.py", lines);
-    compare(&scratch.run("python3", &["lines.py"]), 0.0);
+    read_by(&["python3"], "lines.py", lines, 0.0);
 }
 
 #[test]
@@ -68,14 +70,12 @@ fn pandas_reads_rows() {
     if !has_module("pandas") {
         return;
     }
-    let scratch = written();
     let program = format!(
         "import pandas\nt = pandas.read_csv('states.csv')\n\
          assert t['can_stand'].notna().sum() == 2 and t['least_thickness'].dtype == float\n\
          for r in t[[{COLUMNS}]].itertuples(index=False): print(*[repr(float(x)) for x in r])\n"
     );
-    scratch.write("table.py", program);
-    compare(&scratch.run("python3", &["table.py"]), 1e-15);
+    read_by(&["python3"], "table.py", program, 1e-15);
 }
 
 #[test]
@@ -83,13 +83,11 @@ fn r_reads_rows() {
     if !has("Rscript", "--version") {
         return;
     }
-    let scratch = written();
     let program = format!(
         "t <- read.csv('states.csv')\nstopifnot(is.numeric(t$least_thickness))\n\
          for (i in 1:nrow(t)) cat(sprintf('%.17g', unlist(t[i, c({COLUMNS})])), '\\n')\n"
     );
-    scratch.write("table.R", program);
-    compare(&scratch.run("Rscript", &["--vanilla", "table.R"]), 1e-15);
+    read_by(&["Rscript", "--vanilla"], "table.R", program, 1e-15);
 }
 
 #[test]
@@ -97,11 +95,9 @@ fn julia_reads_rows() {
     if !has("julia", "--version") {
         return;
     }
-    let scratch = written();
     let program = format!(
         "using DelimitedFiles\nt, h = readdlm(\"states.csv\", ','; header=true)\n\
          for i in 1:size(t, 1)\n  println(join([Float64(t[i, findfirst(==(c), vec(h))]) for c in [{COLUMNS}]], \" \"))\nend\n"
     );
-    scratch.write("table.jl", program);
-    compare(&scratch.run("julia", &["table.jl"]), 0.0);
+    read_by(&["julia"], "table.jl", program, 0.0);
 }

@@ -1,14 +1,13 @@
 //! Every JSON that is written is as its schema in `docs/schemas/` says, and nothing more.
 
-use crate::program::{Scratch, couplet, fed, object, printed, text};
+use crate::house::{certificates, files, read};
+use crate::program::{Json, Scratch, couplet, fed, object, printed, text};
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
 
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/schemas")
-}
+/// Schemas that belong to what a script writes, and are held against it where that is run.
+const OF_SCRIPTS: [&str; 2] = ["theorem_map-1.json", "reference_index-1.json"];
 
 /// Whether a value is of a type of JSON Schema.
 fn is_of(value: &Value, name: &str) -> bool {
@@ -47,7 +46,7 @@ fn fault(schema: &Value, root: &Value, value: &Value) -> Option<String> {
     }
     let names = match &schema["type"] {
         Value::String(name) => vec![name.as_str()],
-        Value::Array(names) => names.iter().map(|name| name.as_str().unwrap()).collect(),
+        Value::Array(names) => names.iter().map(|name| name.text()).collect(),
         _ => vec![],
     };
     if !names.is_empty() && !names.iter().any(|name| is_of(value, name)) {
@@ -71,7 +70,7 @@ fn fault(schema: &Value, root: &Value, value: &Value) -> Option<String> {
 
 fn fault_of_object(schema: &Value, root: &Value, entries: &Map<String, Value>) -> Option<String> {
     let required = schema["required"].as_array().into_iter().flatten();
-    let mut missing = required.filter(|name| !entries.contains_key(name.as_str().unwrap()));
+    let mut missing = required.filter(|name| !entries.contains_key(name.text()));
     if let Some(name) = missing.next() {
         return Some(format!("{name} is missing"));
     }
@@ -90,8 +89,7 @@ fn fault_of_object(schema: &Value, root: &Value, entries: &Map<String, Value>) -
 pub(crate) fn check(value: &Value, seen: &mut BTreeSet<String>) {
     let name = value["schema"].as_str().unwrap_or_else(|| panic!("no schema: {value}"));
     let file = name.strip_prefix("couplet.").unwrap().replace('/', "-") + ".json";
-    let schema = fs::read_to_string(folder().join(&file)).unwrap_or_else(|_| panic!("{file}"));
-    let schema: Value = serde_json::from_str(&schema).unwrap();
+    let schema: Value = serde_json::from_str(&read(&format!("docs/schemas/{file}"))).unwrap();
     assert_eq!(schema["$id"], name, "{file}");
     assert_eq!(fault(&schema, &schema, value), None, "{name}: {value}");
     seen.insert(file);
@@ -139,90 +137,13 @@ fn what_is_written_is_as_the_schemas_say() {
         ["a", "b", "c", "d"].map(|name| scratch.read(&format!("out/{name}.json"))).to_vec();
     documents.push(scratch.read("out/couplet-run.json"));
     documents.extend(sweeps(&scratch));
-    for folder in ["asymmetric", "constants", "states", "surveys"] {
-        let stored = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs").join(folder);
-        let paths = fs::read_dir(stored).unwrap().map(|entry| entry.unwrap().path());
-        let paths = paths.filter(|path| path.extension().is_some_and(|end| end == "json"));
-        documents.extend(paths.map(|path| fs::read_to_string(path).unwrap()));
-    }
+    let stored = certificates(["asymmetric", "constants", "states", "surveys"]);
+    documents.extend(stored.into_iter().map(|path| fs::read_to_string(path).unwrap()));
     // Nearer to the tangent of the half opening than can be told.
     let open = rug::Float::with_val(40_000, 0.5).tan().to_string_radix(10, Some(11_000));
-    for line in [
-        "state --alpha pi/2 --mu 0.3958320381380695 --weight heyman",
-        "state --alpha 1 --mu 0",
-        "state --alpha 1 --mu 1 --digits 17",
-        "assess --alpha 80deg --mu 1 --eta 0.2 --digits 17",
-        "find half-opening --mu 0.6 --eta 0.15",
-        "find half-opening --mu 0",
-        "find boundary rrs/ss --alpha 2.5 --digits 17",
-        "find boundary rrs/ss --mu 1",
-        &format!("assess --alpha 1/2 --mu {open} --eta 0.6"),
-        "state --at T",
-        "map --weight both --tolerance 1e-3",
-        "map --alpha 80deg,2.58",
-        "map point sliding --at 1.2 --digits 5",
-        "map difference --tolerance 1e-2",
-        "voussoirs --alpha pi/2 --mu 0.35 --stones 20",
-        "assess --alpha pi/2 --mu 0.4 --eta 0.15 --tilt 0.1 --digits 6",
-        "assess --alpha 1/2 --mu 2 --eta 0.7 --tilt 5deg",
-        "draw --span 33ft --rise 10ft --eta 2ft --mu 1",
-        "draw --alpha pi/2 --mu 0.4 --eta 0.15 --tilt 0.1 --stones 9",
-        "draw --alpha 80deg --mu 0.6 --eta 0.1..0.12",
-        "voussoirs --joints 0,1 --mu 1/9",
-        "voussoirs --alpha 80deg --mu inf --stones 10 --eta 1.9",
-        "voussoirs --alpha pi/2 --mu 0.6 --stones 11 --eta 0.1",
-        "voussoirs --alpha pi/2 --mu 0.4 --stones 11 --eta 0.15 --tilt 0.05",
-        "complementarity --alpha 2.3 --mu 1.07",
-        "complementarity --alpha 2.5 --mu 0.1",
-        "complementarity --alpha 2.3 --mu 1.05 --stones 8",
-        "complementarity --alpha 1 --mu 0.1 --stones 5",
-        "complementarity --alpha 1 --mu inf --stones 2",
-        "complementarity --alpha 1 --mu inf --stones 2 --eta 1.2",
-        "complementarity --alpha 2.3 --mu 1.05 --stones 8 --half --eta least",
-        "complementarity --alpha 2.3 --mu 1.05 --eta 0.55 --stones 6",
-        "complementarity --alpha 2.3 --mu 1.05 --eta 0.3 --stones 6",
-        "complementarity --alpha 1 --mu 2 --stones 3 --thickness least",
-        "complementarity --alpha 2.2 --mu 2 --stones 8 --thickness 1.83",
-        "complementarity --weight heyman --alpha 1.066 --mu 0.303 --stones 5 --thickness 1.096",
-        "state --beta 1.0",
-        "state --beta 0.66 --mu 1.6",
-        "state --beta 1.2 --weight heyman",
-        "state --thrust 0.01 --mu 0.6",
-        "state --opening-variable 0.7",
-        "state --eta 0.15 --mu 0.6",
-        "equation 4 --alpha 1 --eta 0.1",
-        "equation 16 --eta 1",
-        "equation 7 --beta 1.0 --weight heyman",
-        "equation 7 --beta 1.2",
-        "equation 8 --beta 3 --weight heyman",
-        "equation 9 --beta 57deg --weight milankovitch",
-        "equation 12 --beta 1.2",
-        "complementarity --alpha 2.21 --branch",
-        "complementarity --alpha 2 --branch",
-        "map --asymmetric --tolerance 1e-2",
-        "state --span=10m --rise=3m --mu=0.6",
-        "state --radius=5m --alpha=1 --mu=0.1",
-        "assess --span=10m --rise=3m --mu=0.6 --eta=60cm",
-        "state --alpha=1.4..2.6 --mu=0.2..inf",
-        "assess --alpha=80deg±1deg --mu=0.6±10% --eta=0.12",
-        "find half-opening --mu=0..0.6 --eta=0.12",
-        "find friction --alpha=80deg±1deg --eta=0.12",
-        "voussoirs --alpha=1 --stones=2 --mu=0.6±10%",
-        "assess --span=10m±2cm --rise=3m±1cm --mu=0.2..0.6 --eta=60cm±1cm",
-        "voussoirs --span=10m --rise=3m --stones=9 --mu=0.6 --density=24kN/m3 --depth=1m",
-        "voussoirs --radius=3m --alpha=1 --stones=9 --mu=1 --eta=60cm --density=24kN/m3 --depth=1m",
-        "assess --radius=3m --alpha=1 --mu=1 --eta=60cm --tilt=5deg --density=24kN/m3 --depth=1m",
-        "draw --at T",
-        "draw --alpha 80deg --mu 0.35 --eta 0.16",
-        "draw --alpha 2.62 --mu inf",
-        "draw --alpha 1.2 --mu 1 --radius 5m",
-        "draw --span 10m --rise 3m --mu 0.6 --eta 60cm --density 24kN/m3 --depth 1m",
-        "audit",
-        "constants --digits 20",
-        "prove eq-16 --show",
-        "prove eq-8",
-        "prove --index",
-    ] {
+    let asked = include_str!("schemas.txt").lines().skip(1);
+    let open = format!("assess --alpha 1/2 --mu {open} --eta 0.6");
+    for line in asked.chain([open.as_str()]) {
         documents.push(text(&couplet(format!("{line} --format json")).stdout));
     }
     documents.push(text(&fed("judge - --format json", RESULTS).stdout));
@@ -237,7 +158,7 @@ fn what_is_written_is_as_the_schemas_say() {
     let judged = fed("states --format jsonl", QUERIES);
     lines += &text(&fed("judge - --format jsonl", &judged.stdout).stdout);
     lines += &printed("sample --hard --count 60 --format jsonl");
-    for question in object("sample --assemblies --count 16").as_array().unwrap() {
+    for question in object("sample --assemblies --count 16").list() {
         check(question, &mut seen);
     }
     for document in documents {
@@ -246,12 +167,10 @@ fn what_is_written_is_as_the_schemas_say() {
     for line in lines.lines() {
         check(&serde_json::from_str(line).unwrap(), &mut seen);
     }
-    let all = fs::read_dir(folder()).unwrap();
-    let all = all.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let all = files("docs/schemas", "json").into_iter();
+    let all = all.map(|path| path.file_name().unwrap().to_str().unwrap().to_owned());
     let all = all.filter(|name| cfg!(feature = "parquet") || name != "sweep-1.json");
-    // What a script writes is held against its schemas where that is run.
-    let all = all
-        .filter(|name| !["theorem_map-1.json", "reference_index-1.json"].contains(&name.as_str()));
+    let all = all.filter(|name| !OF_SCRIPTS.contains(&name.as_str()));
     assert_eq!(seen, all.collect(), "every schema was held against something");
 }
 

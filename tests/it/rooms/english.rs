@@ -2,9 +2,10 @@
 //! alone in lists and beside names; comments keep to a width.
 
 use super::{floors, sources};
+use crate::house::house;
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Beginnings that refer to another doc, or ask in place of naming.
 const FRAGMENTS: [&str; 16] = [
@@ -105,7 +106,7 @@ fn first_sentences_name_the_thing() {
 
 #[test]
 fn comments_keep_to_a_width() {
-    let tests = sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests"));
+    let tests = sources(&house("tests"));
     none(crates().into_iter().chain(tests).collect(), long);
 }
 

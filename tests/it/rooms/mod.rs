@@ -8,6 +8,7 @@ mod purity;
 mod scattered;
 mod source;
 
+use crate::house::{house, read};
 use names::paths_in;
 pub(crate) use source::{code, floors, room, sources};
 use source::{has, tokens, whole};
@@ -63,10 +64,9 @@ fn nothing_else<T: Ord + Debug>(found: BTreeSet<T>, known: BTreeSet<T>, what: &s
 /// The rooms that a code names: as `crate::room` where that is not its own, as a room of another crate, or as the crate
 /// that is one.
 fn rooms_in(code: &str, is_own: impl Fn(&str) -> bool) -> Vec<String> {
-    let house = Path::new(env!("CARGO_MANIFEST_DIR"));
     let named = |path: Vec<String>| match path[0].strip_prefix("couplet_") {
         Some(other) => {
-            let room = whole(&house.join(format!("crates/{other}/src"))).map(str::to_owned);
+            let room = whole(&house(&format!("crates/{other}/src"))).map(str::to_owned);
             room.or_else(|| path.get(1).cloned())
         }
         None => path.get(1).filter(|name| path[0] == "crate" && !is_own(name)).cloned(),
@@ -148,9 +148,6 @@ fn the_proof_is_the_only_constructor() {
 
 #[test]
 fn the_program_is_thin() {
-    let lines = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/main.rs"))
-        .unwrap()
-        .lines()
-        .count();
+    let lines = read("src/main.rs").lines().count();
     assert!(lines < 60, "main.rs has {lines} lines");
 }

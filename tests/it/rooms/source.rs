@@ -1,15 +1,15 @@
 //! The source as text: its code without comments, words and tests, and the tokens of that.
 
 use super::ROOMS;
+use crate::house::house;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The folders of the sources: of the face, and of each crate.
 pub(crate) fn floors() -> Vec<PathBuf> {
-    let house = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let crates = fs::read_dir(house.join("crates")).unwrap();
+    let crates = fs::read_dir(house("crates")).unwrap();
     let crates = crates.map(|entry| entry.unwrap().path().join("src"));
-    let mut floors: Vec<PathBuf> = crates.chain([house.join("src")]).collect();
+    let mut floors: Vec<PathBuf> = crates.chain([house("src")]).collect();
     floors.sort();
     floors
 }
