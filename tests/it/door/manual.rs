@@ -19,6 +19,7 @@ fn the_examples_of_the_help_work() {
     for name in all.iter().filter(|name| !["completions", "man"].contains(&name.as_str())) {
         let help = printed([name, "--help"]);
         let (_, examples) = help.split_once("\nExamples:\n").unwrap_or_else(|| panic!("{name}"));
+        assert!(examples.lines().all(|line| line.chars().count() <= 78), "{examples}");
         let scratch = Scratch::new();
         for example in examples.replace(" \\\n", " ").lines() {
             let (code, _, said) = said(&shell(example, scratch.folder()));

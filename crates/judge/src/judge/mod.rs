@@ -10,7 +10,7 @@
 //! counts in the same way. The verdict also says how the last printed place was rounded.
 //!
 //! ```
-//! use couplet_judge::judge::{RowClaim, CorrectDigits, Demand, Said, Verdict, judge, judge_all};
+//! use couplet_judge::judge::{RowClaim, CorrectDigits, Demand, Said, Verdict, judge};
 //! use couplet_prove::prelude::*;
 //!
 //! let arch = Arch::parse("heyman", "90deg", "0.38")?;
@@ -53,4 +53,4 @@ pub use claim::{ClaimError, Claimed, RowClaim, Said};
 pub use number::{Certified, CorrectDigits, Errors, Judged};
 pub use possible::Possible;
 pub use printed::PrintedVerdict;
-pub use verdict::{Demand, ErrorSide, Judgement, Standing, Verdict, judge, judge_all};
+pub use verdict::{Demand, ErrorSide, Judgement, ReadClaim, Standing, Verdict, judge, judge_all};

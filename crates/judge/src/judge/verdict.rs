@@ -6,8 +6,10 @@ use super::comparable::Comparable;
 use super::number::{CorrectDigits, Judged};
 use super::truth::ProvedArch;
 use crate::certify::Undecided;
-use crate::certify::batch::SharedOpening;
-use crate::certify::state::{Assessment, Fall, Outcome, Tier, outcomes_in_lanes, raised};
+use crate::certify::batch::{SharedOpening, Threads};
+use crate::certify::state::{
+    Assessment, Fall, LaneOutcome, Outcome, Tier, outcomes_in_lanes, raised,
+};
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber, TripleWordBall, worded};
 use crate::problem::{Arch, Mode};
 use std::cmp::Ordering;
@@ -174,28 +176,38 @@ pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
     judgement.with_boundary(arch, claim)
 }
 
-/// Judges what is claimed of arches as [`judge`] judges each, but that their states are proved many at a time; a row
-/// that cannot be read keeps its reason.
-pub fn judge_all(
-    rows: &[Result<(Arch, RowClaim), String>],
-    demand: Demand,
-) -> Vec<Result<Judgement, String>> {
-    let frictions = rows.iter().flatten().any(|(_, claim)| claim.tells_frictions());
-    let arch = |row: &Result<(Arch, RowClaim), String>| {
-        let (arch, claim) = row.as_ref().ok()?;
-        let is_quick = claim.thickness.is_none() && Tier::DoubleDoubles.has(claim.digits());
-        is_quick.then(|| (arch.weight(), SharedOpening::enclosed_arch(arch)))
-    };
-    let known = outcomes_in_lanes(rows.iter().map(arch), frictions);
-    let judged = |(row, known): (&Result<(Arch, RowClaim), String>, Option<_>)| {
+/// Arch of a row with what is claimed of it, or why the row cannot be read.
+pub type ReadClaim = Result<(Arch, RowClaim), String>;
+
+/// Rows whose states are proved together.
+const PIECE: usize = 128;
+
+/// Judges what is claimed of arches as [`judge`] judges each, but that their states are proved many at a time, by the
+/// threads of the pool of rayon in which it is asked; a row that cannot be read keeps its reason.
+pub fn judge_all(rows: &[ReadClaim], demand: Demand) -> Vec<Result<Judgement, String>> {
+    let pieces: Vec<&[ReadClaim]> = rows.chunks(PIECE).collect();
+    let known = Threads::Pool.each(&pieces, |rows| known(rows)).concat();
+    let asked: Vec<_> = rows.iter().zip(known).collect();
+    Threads::Pool.each(&asked, |(row, known)| {
         let (arch, claim) = row.as_ref().map_err(Clone::clone)?;
-        let compared = known.and_then(|(outcome, sliding_friction)| {
+        let compared = known.clone().and_then(|(outcome, sliding_friction)| {
             let proved = ProvedArch { outcome, sliding_friction, assessment: None };
             Some(compare(claim, &proved, demand)?.with_boundary(arch, claim))
         });
         Ok(compared.unwrap_or_else(|| judge(arch, claim, demand)))
-    };
-    rows.iter().zip(known).map(judged).collect()
+    })
+}
+
+/// Outcomes that lanes prove of those rows that ask for no more.
+fn known(rows: &[ReadClaim]) -> Vec<Option<LaneOutcome>> {
+    fn quick(row: &ReadClaim) -> Option<&(Arch, RowClaim)> {
+        let is_quick =
+            |claim: &RowClaim| claim.thickness.is_none() && Tier::DoubleDoubles.has(claim.digits());
+        row.as_ref().ok().filter(|(_, claim)| is_quick(claim))
+    }
+    let frictions = rows.iter().filter_map(quick).any(|(_, claim)| claim.tells_frictions());
+    let arch = |(arch, _): &(Arch, _)| (arch.weight(), SharedOpening::enclosed_arch(arch));
+    outcomes_in_lanes(rows.iter().map(|row| quick(row).map(arch)), frictions)
 }
 
 /// A claim beside what is proved in numbers that have the bits that they have, if these are enough.
@@ -291,7 +303,7 @@ mod tests {
     use crate::problem::Quantity;
 
     /// A claim about an arch: the true thickness to 17 digits with a thrust that is wrong, or a mode, or frictions.
-    fn row(arch: Arch, which: usize) -> Result<(Arch, RowClaim), String> {
+    fn row(arch: Arch, which: usize) -> ReadClaim {
         let thickness = match arch.certify(17).map_err(|error| error.to_string())? {
             Answer::Stands(state) => state.thickness.to_string(),
             Answer::Falls { .. } => "0.1".to_owned(),
@@ -321,15 +333,21 @@ mod tests {
         });
         let mut rows: Vec<_> = arches.enumerate().map(|(which, arch)| row(arch, which)).collect();
         rows.insert(5, Err("the friction is empty".to_owned()));
-        let alone = |row: &Result<(Arch, RowClaim), String>| {
+        let alone = |row: &ReadClaim| {
             row.as_ref()
                 .map_err(Clone::clone)
                 .map(|(arch, claim)| judge(arch, claim, Demand::USUAL))
         };
         let together = judge_all(&rows, Demand::USUAL);
+        assert!(known(&rows).iter().flatten().count() > rows.len() / 3, "most are proved in lanes");
         let verdicts = together.iter().flatten().map(|found| found.verdict);
         assert!(verdicts.collect::<std::collections::BTreeSet<_>>().len() > 4);
         for (row, found) in rows.iter().zip(together) {
+            assert_eq!(format!("{found:?}"), format!("{:?}", alone(row)), "{row:?}");
+        }
+        // Nothing depends on whether another row tells frictions.
+        rows.retain(|row| row.as_ref().is_ok_and(|(_, claim)| !claim.tells_frictions()));
+        for (row, found) in rows.iter().zip(judge_all(&rows, Demand::USUAL)) {
             assert_eq!(format!("{found:?}"), format!("{:?}", alone(row)), "{row:?}");
         }
     }

@@ -2,7 +2,7 @@
 
 use super::{Field, Real};
 
-/// The `e` with `2^e <= x < 2^(e+1)`, for positive doubles; of those that are not normal, and of zero, the one below.
+/// The `e` with `2^e <= x < 2^(e+1)`, for positive doubles; -1023 for zero and for those that are not normal.
 pub(super) fn exponent(x: f64) -> i32 {
     (x.to_bits() >> 52) as i32 - 1023
 }

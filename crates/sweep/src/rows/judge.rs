@@ -6,7 +6,7 @@ use super::keep::ReadRow;
 use super::roles::Role;
 use super::source::Numbered;
 use crate::ask::{Field, notes};
-use crate::judge::{Demand, RowClaim, Said, judge_all};
+use crate::judge::{Demand, ReadClaim, RowClaim, Said, judge_all};
 use crate::parse::thickness;
 use crate::problem::{Arch, Quantity};
 use crate::report::judged::JudgedRow;
@@ -20,9 +20,6 @@ pub struct Judge {
     pub demand: Demand,
 }
 
-/// Rows whose arches are proved together.
-const PIECE: usize = 128;
-
 impl Judge {
     /// Judges some rows, in their order, on all cores.
     pub fn rows(&self, rows: Vec<Numbered<ReadRow>>) -> Vec<JudgedRow> {
@@ -34,12 +31,11 @@ impl Judge {
                 note = notes([arch.friction()]).pop();
                 Ok((arch, self.claim(cells)?))
             };
-            let asked: Result<(Arch, RowClaim), String> = asked();
+            let asked: ReadClaim = asked();
             (asked, note)
         };
         let (all, notes): (Vec<_>, Vec<_>) = rows.par_iter().map(read).unzip();
-        let judge = |all: &[_]| judge_all(all, self.demand);
-        let judged: Vec<_> = all.par_chunks(PIECE).flat_map_iter(judge).collect();
+        let judged = judge_all(&all, self.demand);
         let row = |((line, row), asked, note, outcome): (_, Result<_, _>, _, _)| {
             let row: Result<ReadRow, String> = row;
             let described = row.as_ref().map(|row| self.reader.described(&row.cells));

@@ -21,7 +21,7 @@ pub trait BatchArches: Sync {
     /// The weight of a row, with its numbers in enclosures, where they are known; these need not be those of an arch.
     fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)>;
 
-    /// Rows that follow each other as they go into lanes, by their weights; their places are among these.
+    /// Rows that follow each other as they go into lanes, by their weights; each by its place from the first of these.
     fn many_in_lanes(&self, rows: Range<usize>) -> [LaneColumns; 2] {
         LaneColumns::by_weight(rows.map(|row| self.in_lanes(row)))
     }

@@ -32,10 +32,10 @@ impl Batch {
     /// Columns of states at the least thickness, or of arches that have one: first those that are proved many at a
     /// time, then the others, with the proofs of one half opening at a time.
     pub fn columns(&self, arches: &impl BatchArches, threads: Threads) -> BatchColumns {
-        // No lane has the asymmetric thickness, nor texts.
+        // Lanes have neither the asymmetric thickness nor texts.
         let is_asymmetric = self.quantities.contains(&Quantity::AsymmetricThickness);
-        let are_doubles = Tier::Lanes.has(self.digits) && !self.has_texts && !is_asymmetric;
-        let mut all = match are_doubles {
+        let go_into_lanes = Tier::Lanes.has(self.digits) && !self.has_texts && !is_asymmetric;
+        let mut all = match go_into_lanes {
             true => in_lanes::columns(&self.quantities, arches, threads),
             false => self.open(arches.count()),
         };

@@ -73,7 +73,7 @@ impl BatchColumns {
         self.reasons.extend(rows.reasons.into_iter().map(|(from, why)| (places[from], why)));
     }
 
-    /// Adds the rows of others, which have no digits, behind these.
+    /// Adds the rows of others, which have neither digits nor reasons, behind these.
     pub(super) fn append(&mut self, rows: Self) {
         self.verdicts.extend(rows.verdicts);
         self.modes.extend(rows.modes);
@@ -111,6 +111,15 @@ impl BatchColumns {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arch::SelfWeight;
+
+    #[test]
+    fn a_code_is_a_place_among_all() {
+        let modes = Mode::ALL.into_iter().enumerate();
+        assert!(modes.into_iter().all(|(place, mode)| mode as usize == place));
+        let weights = SelfWeight::ALL.into_iter().enumerate();
+        assert!(weights.into_iter().all(|(place, weight)| weight as usize == place));
+    }
 
     #[test]
     fn rows_find_their_places_in_any_order() {

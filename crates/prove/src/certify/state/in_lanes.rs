@@ -30,7 +30,7 @@ pub struct LaneColumns {
 
 impl LaneColumns {
     /// Rows by their weights, in the order of [`SelfWeight::ALL`]: without those of which nothing is known, or whose
-    /// thickness is none.
+    /// thickness is not proved to be one.
     pub fn by_weight(
         all: impl ExactSizeIterator<Item = Option<(SelfWeight, InLanes)>>,
     ) -> [Self; 2] {
@@ -84,13 +84,15 @@ pub fn answers_in_lanes(
     all
 }
 
-/// The outcomes of arches with their weights, in their order, each with the friction of the purely sliding state if the
-/// arch falls; with the frictions at which the mode of one that stands changes, if they are asked for. `None` where
-/// lanes leave anything of it open.
+/// Outcome of an arch, with the friction of the purely sliding state if it falls.
+pub type LaneOutcome = (Outcome<DoubleDoubleBall>, Option<DoubleDoubleBall>);
+
+/// The outcomes of arches with their weights, in their order; with the frictions at which the mode of one that stands
+/// changes, if they are asked for. `None` where lanes leave anything of it open.
 pub fn outcomes_in_lanes(
     arches: impl ExactSizeIterator<Item = Option<(SelfWeight, LaneArch)>>,
     frictions: bool,
-) -> Vec<Option<(Outcome<DoubleDoubleBall>, Option<DoubleDoubleBall>)>> {
+) -> Vec<Option<LaneOutcome>> {
     let wants = LaneWants { frictions: [frictions, true], ..LaneWants::new(&[]) };
     let mut all = vec![None; arches.len()];
     let rows = arches.map(|arch| arch.map(|(weight, arch)| (weight, (arch, None))));

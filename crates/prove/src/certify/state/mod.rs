@@ -61,7 +61,9 @@ pub use certify::{Certify, NoState};
 pub use digits::{Answer, Digits, SomeDigits};
 pub(super) use enough::AtOpening;
 pub use enough::Enough;
-pub use in_lanes::{InLanes, LaneColumns, RowAnswer, answers_in_lanes, outcomes_in_lanes};
+pub use in_lanes::{
+    InLanes, LaneColumns, LaneOutcome, RowAnswer, answers_in_lanes, outcomes_in_lanes,
+};
 pub(super) use in_lanes::{LaneFound, LaneWants, each_in_lanes};
 pub use inquiry::Inquiry;
 pub use measured::{
