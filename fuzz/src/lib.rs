@@ -39,7 +39,7 @@ pub fn arches(syntax: Syntax, bytes: &[u8]) {
         assert!(line >= last, "line {line} after {last}");
         last = line;
         let Ok(ReadRow { cells, .. }) = row.map_err(is_told) else { continue };
-        let _ = reader.measured_arch(&cells).map_err(is_told);
+        let _ = reader.arch(&cells).map_err(is_told);
         let _ = reader.ranged(&cells).map_err(is_told);
         reader.described(&cells);
     }
