@@ -148,13 +148,12 @@ mod tests {
     }
 
     fn bits(answer: &Option<LaneAnswer>) -> Option<(Option<Mode>, Vec<[u64; 3]>)> {
-        let of = |x: &DoubleDoubleBall| [x.mid().hi(), x.mid().lo(), x.rad()].map(f64::to_bits);
         match answer.as_ref()? {
             LaneAnswer::Falls => Some((None, Vec::new())),
             LaneAnswer::Stands(state) => {
                 let all =
                     [state.thickness, state.thrust, state.intrinsic_thrust, state.rotation_joint];
-                let all = all.iter().chain(&state.sliding_joint).map(of);
+                let all = all.iter().chain(&state.sliding_joint).map(DoubleDoubleBall::to_bits);
                 Some((Some(state.mode), all.collect()))
             }
         }

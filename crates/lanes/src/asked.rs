@@ -93,9 +93,8 @@ impl<'a> Asked<'a> {
     /// Half openings that follow each other, and for each row its place among them.
     fn openings(&self) -> (Vec<[DoubleDoubleBall; 1]>, Vec<usize>) {
         let mut openings: Vec<[DoubleDoubleBall; 1]> = Vec::new();
-        let bits = |x: &DoubleDoubleBall| [x.mid().hi(), x.mid().lo(), x.rad()].map(f64::to_bits);
         let place = |(alpha, _): &LaneArch| {
-            if openings.last().is_none_or(|[last]| bits(last) != bits(alpha)) {
+            if openings.last().is_none_or(|[last]| last.to_bits() != alpha.to_bits()) {
                 openings.push([*alpha]);
             }
             openings.len() - 1

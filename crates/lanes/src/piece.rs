@@ -2,16 +2,15 @@
 
 use super::sine::Long;
 use crate::number::{
-    Dekker, DoubleDouble, DoubleDoubleBall, DoubleDoubleBy, Enclosure, Product, SinePoint,
-    SinePoints,
+    BallColumn, Dekker, DoubleDoubleBall, Enclosure, Product, SinePoint, SinePoints,
 };
 use std::array;
 
 /// Arches of one call of a proof.
 pub(super) const ARCHES: usize = 64;
 
-/// Numbers of them: the two doubles of each midpoint, and the radii.
-pub(super) type LaneColumn = [[f64; ARCHES]; 3];
+/// Numbers of them.
+type LaneColumn = BallColumn<ARCHES>;
 
 /// A proof of `OUT` values from `IN` numbers, without a branch.
 pub(super) trait Proof<const IN: usize, const ANGLES: usize, const OUT: usize> {
@@ -36,16 +35,14 @@ pub(super) struct LanePiece<const IN: usize, const OUT: usize> {
 impl<const IN: usize, const OUT: usize> LanePiece<IN, OUT> {
     /// No arch yet.
     pub(super) fn new() -> Self {
-        Self { given: [[[f64::NAN; ARCHES]; 3]; IN], found: [[[f64::NAN; ARCHES]; 3]; OUT] }
+        Self { given: [LaneColumn::WHOLE; IN], found: [LaneColumn::WHOLE; OUT] }
     }
 
     /// Puts the numbers of an arch in a place.
     #[inline(always)]
     pub(super) fn put(&mut self, place: usize, given: &[DoubleDoubleBall; IN]) {
         for (column, x) in self.given.iter_mut().zip(given) {
-            column[0][place] = x.mid().hi();
-            column[1][place] = x.mid().lo();
-            column[2][place] = x.rad();
+            column.put(place, x);
         }
     }
 
@@ -58,7 +55,8 @@ impl<const IN: usize, const OUT: usize> LanePiece<IN, OUT> {
         let mut candidates = [[f64::NAN; ARCHES]; ANGLES];
         let mut points: [SinePoints<ARCHES>; ANGLES] = array::from_fn(|_| SinePoints::NONE);
         for place in 0..ARCHES {
-            let of = proof.candidates(self.given.each_ref().map(|column| column[0][place]));
+            let given = self.given.each_ref().map(|column| column.get(place).mid().hi());
+            let of = proof.candidates(given);
             for k in 0..ANGLES {
                 candidates[k][place] = of[k];
                 points[k].set(place, SinePoint::nearest(of[k]));
@@ -69,12 +67,10 @@ impl<const IN: usize, const OUT: usize> LanePiece<IN, OUT> {
             for k in 0..ANGLES {
                 angles[k] = (candidates[k][place], points[k].get(place));
             }
-            let given = self.given.each_ref().map(|column| number::<P>(column, place));
+            let given = self.given.each_ref().map(|column| column.given::<P>(place));
             let found = proof.prove(given, angles);
             for (column, x) in self.found.iter_mut().zip(&found) {
-                column[0][place] = x.mid().hi();
-                column[1][place] = x.mid().lo();
-                column[2][place] = x.rad();
+                column.put_found(place, x);
             }
         }
     }
@@ -87,27 +83,15 @@ impl<const IN: usize, const OUT: usize> LanePiece<IN, OUT> {
         let mut other = Self { given: self.given, ..Self::new() };
         other.prove::<Dekker, ANGLES>(proof);
         let bits = |piece: &Self| {
-            // What is not a number may be so in more than one way.
-            let bits = |x: &f64| if x.is_nan() { u64::MAX } else { x.to_bits() };
-            piece.found.iter().flatten().flatten().map(bits).collect::<Vec<u64>>()
+            let all = (0..ARCHES).map(|place| piece.found.each_ref().map(|of| of.get(place)));
+            all.map(|balls| balls.map(|ball| ball.to_bits())).collect::<Vec<_>>()
         };
         bits(self) == bits(&other)
     }
 
     /// Values of the arch in a place, if they are proved.
     pub(super) fn found(&self, place: usize) -> Option<[DoubleDoubleBall; OUT]> {
-        let value = |column: &LaneColumn| {
-            let [high, low, rad] = column.each_ref().map(|part| part[place]);
-            DoubleDoubleBall::new(DoubleDouble::sum(high, low), rad)
-        };
-        let is_proved = self.found.iter().all(|[.., radii]| radii[place].is_finite());
-        let all = is_proved.then(|| self.found.each_ref().map(value))?;
+        let all = self.found.each_ref().map(|column| column.get(place));
         all.iter().all(Enclosure::is_bounded).then_some(all)
     }
-}
-
-#[inline(always)]
-fn number<P: Product>(column: &LaneColumn, place: usize) -> Long<P> {
-    let [high, low, rad] = column.each_ref().map(|part| part[place]);
-    Long::new(DoubleDoubleBy::sum(high, low), rad)
 }

@@ -10,10 +10,8 @@ struct Digest(u64);
 
 impl Digest {
     fn add(&mut self, x: &DoubleDoubleBall) {
-        for number in [x.mid().hi(), x.mid().lo(), x.rad()] {
-            for byte in number.to_bits().to_le_bytes() {
-                self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-            }
+        for byte in x.to_bits().map(u64::to_le_bytes).as_flattened() {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
         }
     }
 }

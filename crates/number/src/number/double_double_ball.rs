@@ -6,8 +6,8 @@
 //! two midpoints, a multiple of `2^-(2 220 + 2 53)`, is exact. A low part may be of any size; where its products
 //! underflow they add less than `2^-1070`, and `u² |hi| / 2` is above `2^-560`.
 
-use super::float_ball::{FloatBall, UP, power_of_two};
-use super::{DoubleBall, DoubleDouble};
+use super::float_ball::{Branchless, FloatBall, UP, anywhere, power_of_two};
+use super::{DoubleBall, DoubleDouble, DoubleDoubleBy, Product};
 
 /// All real numbers within a radius of a double-double.
 pub type DoubleDoubleBall = FloatBall<DoubleDouble>;
@@ -44,8 +44,15 @@ impl DoubleDoubleBall {
         Self::new(DoubleDouble::sum(sign * hi, sign * lo), unit * left as f64)
     }
 
+    /// The bits of both parts of the midpoint and of the radius.
+    #[inline]
+    pub fn to_bits(&self) -> [u64; 3] {
+        [self.mid.hi(), self.mid.lo(), self.rad].map(f64::to_bits)
+    }
+
     /// The double nearest to every number of the ball, ties to even; `None` if they may differ, and outside
     /// `2^±200`.
+    #[inline]
     pub fn nearest_double(&self) -> Option<f64> {
         let (double, rest) = (self.mid.hi(), self.mid.lo());
         let size = double.abs();
@@ -56,6 +63,49 @@ impl DoubleDoubleBall {
             size == 0.0 && is_exact || (power_of_two(-200)..power_of_two(200)).contains(&size);
         // Adding zero makes a negative zero positive.
         (in_range && (is_exact || is_near)).then_some(double + 0.0)
+    }
+}
+
+/// Balls of double-doubles, apart by their parts, as they go through lanes: high and low parts of the midpoints, radii.
+#[derive(Clone, Copy, Debug)]
+pub struct BallColumn<const N: usize>([[f64; N]; 3]);
+
+impl<const N: usize> BallColumn<N> {
+    /// Balls of which nothing is known.
+    pub const WHOLE: Self = Self([[0.0; N], [0.0; N], [f64::INFINITY; N]]);
+
+    /// Puts a ball in a place.
+    #[inline(always)]
+    pub fn put(&mut self, place: usize, ball: &DoubleDoubleBall) {
+        let Self([highs, lows, radii]) = self;
+        (highs[place], lows[place], radii[place]) = (ball.mid.hi(), ball.mid.lo(), ball.rad);
+    }
+
+    /// Puts what lanes have found in a place, without a branch.
+    #[inline(always)]
+    pub fn put_found<P: Product>(
+        &mut self,
+        place: usize,
+        found: &FloatBall<DoubleDoubleBy<P>, Branchless>,
+    ) {
+        let mid = DoubleDouble::sum(found.mid.hi(), found.mid.lo());
+        let (is_kept, rad) = anywhere(mid.hi().abs(), found.rad);
+        let mid = if is_kept { mid } else { DoubleDouble::ZERO };
+        self.put(place, &DoubleDoubleBall::within(mid, rad));
+    }
+
+    /// The ball in a place.
+    #[inline(always)]
+    pub fn get(&self, place: usize) -> DoubleDoubleBall {
+        let Self([highs, lows, radii]) = self;
+        DoubleDoubleBall::within(DoubleDouble::constant(highs[place], lows[place]), radii[place])
+    }
+
+    /// The ball in a place, for lanes with products by `P`.
+    #[inline(always)]
+    pub fn given<P: Product>(&self, place: usize) -> FloatBall<DoubleDoubleBy<P>, Branchless> {
+        let Self([highs, lows, radii]) = self;
+        FloatBall::within(DoubleDoubleBy::constant(highs[place], lows[place]), radii[place])
     }
 }
 

@@ -236,16 +236,20 @@ impl Edge for Settled {
     }
 }
 
-/// Tells whether a midpoint of size `size` is kept, which else becomes zero, and the radius.
 #[cold]
 fn at_the_edge(size: f64, rad: f64) -> (bool, f64) {
-    if !(size <= LARGEST && (0.0..=LARGEST).contains(&rad)) {
-        return (false, f64::INFINITY);
-    }
-    let is_kept = size == 0.0 || size >= SMALLEST;
+    anywhere(size, rad)
+}
+
+/// Tells whether a midpoint of size `size` is kept, which else becomes zero, and the radius: without a branch.
+#[inline(always)]
+pub(super) fn anywhere(size: f64, rad: f64) -> (bool, f64) {
+    let in_range = (size <= LARGEST) & (rad >= 0.0) & (rad <= LARGEST);
+    let is_kept = (size == 0.0) | (size >= SMALLEST);
     // The size of the midpoint exceeds that of its leading double by at most `u` of it.
     let rad = if is_kept { rad } else { (rad + size) * UP };
-    (is_kept, if rad == 0.0 { 0.0 } else { rad.max(LEAST) })
+    let rad = if rad == 0.0 { 0.0 } else { rad.max(LEAST) };
+    (in_range & is_kept, if in_range { rad } else { f64::INFINITY })
 }
 
 impl Edge for Branchless {
@@ -264,7 +268,7 @@ impl<M: Midpoint, E: Edge> FloatBall<M, E> {
 
     /// The ball of parts that are in range.
     #[inline(always)]
-    const fn within(mid: M, rad: f64) -> Self {
+    pub(super) const fn within(mid: M, rad: f64) -> Self {
         Self { mid, rad, edge: PhantomData }
     }
 

@@ -119,7 +119,7 @@ pub use decimal::{Decimal, ParseDecimalError};
 pub use derivatives::Derivatives;
 pub use double_ball::DoubleBall;
 pub use double_double::{DoubleDouble, DoubleDoubleBy};
-pub use double_double_ball::DoubleDoubleBall;
+pub use double_double_ball::{BallColumn, DoubleDoubleBall};
 pub use double_sine::{SinePoint, SinePoints};
 pub use drawable::Drawable;
 pub use dual::{Dual, gradient};

@@ -66,6 +66,7 @@ impl Binary {
     /// Bounds of the number enclosed by a ball of double-doubles, with its nearest double: the same bounds as
     /// of a ball of MPFR, an error that holds the radius, and no quadruple. `None` if the ball is too wide,
     /// and for zero and sizes far from one.
+    #[inline]
     pub fn of_double_double(ball: &DoubleDoubleBall) -> Option<(f64, Self)> {
         let (double, rest, rad) = (ball.nearest_double()?, ball.mid().lo(), ball.rad());
         // On which side of the double the number lies.

@@ -94,6 +94,7 @@ impl BatchColumns {
     }
 
     /// Puts the verdict and the mode of a row in its place, with its doubles.
+    #[inline(always)]
     pub(super) fn set(
         &mut self,
         place: usize,
@@ -102,8 +103,8 @@ impl BatchColumns {
     ) {
         self.verdicts[place] = verdict;
         self.modes[place] = mode.map_or(u8::MAX, |mode| mode as u8);
-        for (columns, doubles) in self.values.iter_mut().zip(doubles) {
-            columns.iter_mut().zip(doubles).for_each(|(column, x)| column[place] = x);
+        for ([all, lowers, uppers], doubles) in self.values.iter_mut().zip(doubles) {
+            [all[place], lowers[place], uppers[place]] = doubles;
         }
     }
 }

@@ -59,6 +59,7 @@ pub struct DoubleUnits {
 }
 
 /// A double as it goes into lanes; of an angle in degrees its radians.
+#[inline(always)]
 fn number(x: f64, is_in_degrees: bool) -> DoubleDoubleBall {
     let x = DoubleDoubleBall::exact(DoubleDouble::exact(x));
     if is_in_degrees { x.pi() * x / x.int(180) } else { x }
@@ -102,6 +103,7 @@ impl DoubleArches<'_> {
     }
 
     /// A row as it goes into lanes, with its friction there.
+    #[inline(always)]
     fn with_friction(
         &self,
         row: usize,
@@ -137,6 +139,7 @@ impl BatchArches for DoubleArches<'_> {
         grouped(rows, |row| Some(self.half_openings[row].to_bits()))
     }
 
+    #[inline(always)]
     fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)> {
         let friction = match (self.frictions[row], self.units.friction_angles) {
             (phi, Some(is_in_degrees)) => Some(tangent(&number(phi, is_in_degrees))?),

@@ -41,6 +41,7 @@ pub(super) fn columns(
 }
 
 /// Verdict and mode of what is proved of an arch, if all that is asked is decided: then each quantity is in doubles.
+#[inline(always)]
 fn in_doubles(
     found: &LaneFound,
     quantities: &[Quantity],
@@ -70,6 +71,7 @@ fn in_doubles(
 
 /// Puts quantities in doubles, if all are decided: infinite without a figure, and no numbers where there is
 /// none at all.
+#[inline(always)]
 fn values<'a>(
     quantities: &[Quantity],
     figure: impl Fn(Quantity) -> Option<Option<&'a DoubleDoubleBall>>,
@@ -86,6 +88,7 @@ fn values<'a>(
 }
 
 /// The nearest double of a number with its bounds, if they are decided.
+#[inline(always)]
 fn doubles(ball: &DoubleDoubleBall) -> Option<[f64; 3]> {
     if ball.mid().hi() == 0.0 && ball.rad() == 0.0 {
         return Some([0.0; 3]);

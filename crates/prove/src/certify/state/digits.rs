@@ -97,6 +97,7 @@ impl<T> Digits<T> {
     }
 
     /// The value of a quantity, where the state has it; `None` for a friction without bound.
+    #[inline(always)]
     pub(in crate::certify) fn value(&self, quantity: Quantity) -> Option<Option<&T>> {
         Some(Some(match quantity {
             Quantity::Thickness => &self.thickness,
