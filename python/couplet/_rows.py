@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 
 TYPE_CHECKING = False
@@ -16,8 +17,8 @@ _SECONDS = 0.2
 _FIRST = 512
 #: The most rows of a piece: more are not in the caches when their columns are written.
 _MOST = 1 << 17
-#: Rows by which it is seen whether numbers come again: where each comes three times, a thousand pairs are among them.
-_LOOKED = 1 << 16
+#: Pairs among the rows that are looked at where each number comes three times.
+_PAIRS = 256
 
 
 def in_pieces(
@@ -51,6 +52,6 @@ def in_pieces(
 
 def _come_again(np: Any, keys: Any) -> bool:
     """Whether many of the numbers come more than once."""
-    places = np.random.default_rng(0).integers(0, len(keys), _LOOKED)
+    places = np.random.default_rng(0).integers(0, len(keys), math.isqrt(_PAIRS * len(keys)))
     some = np.sort(keys[np.unique(places)])
-    return bool((some[1:] == some[:-1]).sum() > _LOOKED >> 12)
+    return bool((some[1:] == some[:-1]).sum() > _PAIRS >> 4)
