@@ -2,10 +2,10 @@
 
 use couplet::arch::{SelfWeight, Unknown};
 use couplet::certify::CertifiedLandmark;
-use couplet::certify::state::{Answer, Certify, Digits};
+use couplet::certify::state::{Answer, Certify, Digits, Outcome};
 use couplet::number::{Ball, ExactNumber};
 use couplet::problem::{Arch, Landmark};
-use rug::Rational;
+use rug::{Float, Rational};
 
 pub(crate) const H: SelfWeight = SelfWeight::Heyman;
 pub(crate) const M: SelfWeight = SelfWeight::Milankovitch;
@@ -35,6 +35,18 @@ pub(crate) fn stands(arch: &Arch, digits: usize) -> Box<Digits> {
         Ok(Answer::Stands(state)) => state,
         other => panic!("{arch}: {other:?}"),
     }
+}
+
+/// The friction at which Heyman's semicircle changes its mode, nearer than any precision that is tried can tell.
+pub(crate) fn critical_friction() -> String {
+    let Ok(Outcome::Stands(state)) = arch(H, "pi/2", "1").state(40_000) else { panic!() };
+    let critical = state.frictions.unwrap().rotational.unwrap();
+    critical.mid().to_string_radix(10, Some(11_000))
+}
+
+/// The tangent of a half opening of one half, to more digits than any precision that is tried.
+pub(crate) fn tangent_of_one_half() -> String {
+    Float::with_val(40_000, 0.5).tan().to_string_radix(10, Some(11_000))
 }
 
 /// What a landmark has of an unknown.

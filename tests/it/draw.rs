@@ -477,6 +477,15 @@ fn what_falls_is_drawn_as_it_falls() {
     }
 }
 
+/// What an arch that stands may do is told as `couplet assess` tells it.
+#[test]
+fn a_picture_tells_an_asymmetric_mechanism() {
+    let line = "draw --half-opening 2.3 --friction 1.05 --thickness 0.55";
+    let moves = "0.583084449604";
+    tells(&printed(line), ["an admissible symmetric state exists", moves]);
+    assert!(arch(line)["asymmetric_thickness"]["value"].text().starts_with(moves));
+}
+
 /// The modes of a half opening, each in a state of its own between the frictions at which they change.
 #[test]
 fn modes_are_drawn_along_the_friction() {

@@ -1,7 +1,7 @@
 //! The ends of intervals bit by bit: every function of an arithmetic that is used is rounded as MPFR rounds it, in both
 //! directions, on arguments chosen to be hard.
 
-use crate::hard::config;
+use crate::hard::{config, moved, quarter_turns};
 use couplet::number::{Astro, Ball, Real, RoundingMode};
 use proptest::prelude::*;
 use rug::float::{Constant, Round};
@@ -144,14 +144,7 @@ fn pair() -> impl Strategy<Value = (Float, Float)> {
 
 /// Angles: of any size, tiny ones, large ones, and multiples of a quarter turn to some bits.
 fn angle() -> impl Strategy<Value = Float> {
-    let quarters = (1u32..4000, 8u32..700, -4i32..4).prop_map(|(n, bits, ulps)| {
-        let x = Float::with_val(bits + 64, Constant::Pi) * n / 2u32;
-        let mut x = Float::with_val(bits, x);
-        for _ in 0..ulps.abs() {
-            if ulps < 0 { x.next_down() } else { x.next_up() }
-        }
-        x
-    });
+    let quarters = quarter_turns(4000, 8..700);
     prop_oneof![number(-4..4), number(-700..-4), number(4..200), quarters]
 }
 
@@ -167,11 +160,7 @@ fn of(bits: u32) -> u32 {
 
 /// A number some units beside a square.
 fn near_a_square(x: &Float, ulps: i32) -> Float {
-    let mut square = Float::with_val(2 * x.prec() + 2, x.square_ref());
-    for _ in 0..ulps.abs() {
-        if ulps < 0 { square.next_down() } else { square.next_up() }
-    }
-    square.abs()
+    moved(Float::with_val(2 * x.prec() + 2, x.square_ref()), ulps).abs()
 }
 
 proptest! {

@@ -1,13 +1,10 @@
 //! Equations of the paper at a rotational joint, on the command line.
 
+use crate::arches::number;
 use crate::program::{Json, couplet, object, printed, said};
 use couplet::certify::equation::{Evaluated, NumberedEquation};
 use couplet::prelude::*;
 use serde_json::Value;
-
-fn number(text: &str) -> ExactNumber {
-    text.parse().unwrap()
-}
 
 fn of(arguments: &str) -> (Option<i32>, String, String) {
     said(&couplet(format!("equation {arguments}")))
@@ -46,7 +43,7 @@ fn each_branch_is_a_state_with_the_joint() {
         assert_ne!(of["thickness"], roots[2 - index]["root"], "false twin");
         let alpha = of["half_opening"]["value"].text();
         let back = state(&format!("--half-opening {alpha} --friction inf"));
-        let joint: f64 = back["rotation_joint"]["value"].text().parse().unwrap();
+        let joint = back["rotation_joint"].value();
         assert!((joint - 1.0).abs() < 1e-15, "{joint}");
     }
 }

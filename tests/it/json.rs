@@ -8,8 +8,14 @@ pub(crate) trait Json {
 
     fn text(&self) -> &str;
 
-    /// A number: itself, its text, or the value beside its bounds.
+    /// A number, not the text of one.
     fn number(&self) -> f64;
+
+    /// The number in a text.
+    fn decimal(&self) -> f64;
+
+    /// The number in the text of a value that stands beside its bounds.
+    fn value(&self) -> f64;
 }
 
 impl Json for Value {
@@ -25,11 +31,17 @@ impl Json for Value {
 
     #[track_caller]
     fn number(&self) -> f64 {
-        match self {
-            Value::Number(number) => number.as_f64().unwrap(),
-            Value::Object(of) => of["value"].number(),
-            _ => self.text().parse().unwrap_or_else(|_| panic!("no number: {self}")),
-        }
+        self.as_f64().unwrap_or_else(|| panic!("no number: {self}"))
+    }
+
+    #[track_caller]
+    fn decimal(&self) -> f64 {
+        self.text().parse().unwrap_or_else(|_| panic!("no number in a text: {self}"))
+    }
+
+    #[track_caller]
+    fn value(&self) -> f64 {
+        self["value"].decimal()
     }
 }
 

@@ -38,7 +38,6 @@ mod reference;
 mod refused;
 mod rooms;
 mod scenes;
-mod standing;
 mod states;
 mod static_programme;
 mod strategies;

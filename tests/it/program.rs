@@ -103,6 +103,14 @@ mod whole {
         shell.args(["-c", line]).env("PATH", path).current_dir(folder).output().unwrap()
     }
 
+    /// Runs the program under a limit that a shell sets.
+    pub(crate) fn limited(limit: &str, arguments: impl Words) -> Output {
+        let line = format!("{limit}; exec \"$0\" \"$@\"");
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &line, env!("CARGO_BIN_EXE_couplet")]);
+        shell.args(arguments.words()).output().unwrap()
+    }
+
     /// Exit code, standard output and standard error.
     pub(crate) fn said(output: &Output) -> (Option<i32>, String, String) {
         (output.status.code(), text(&output.stdout), text(&output.stderr))

@@ -1,43 +1,10 @@
 //! Arches under a horizontal acceleration, on the command line.
 
-use crate::program::{Json, Scratch, couplet, object, printed, said, says, tells};
-use serde_json::{Value, json};
+use crate::program::{Json, Scratch, couplet, object, printed, said, tells};
+use serde_json::Value;
 
 fn of(arguments: &str) -> String {
     printed(format!("assess {arguments}"))
-}
-
-#[test]
-fn a_tilt_is_told_in_every_format() {
-    let arch = "--alpha 1.2 --mu 0.6 --eta 0.1 --tilt 0.3 --digits 8";
-    let [csv, table] = ["csv", "table"].map(|format| of(&format!("{arch} --format {format}")));
-    let json = object(format!("assess {arch}"));
-    let largest = "0.35650792";
-    says(&json, json!({"schema": "couplet.tilt/2", "outcome": "stands", "may_move": true}));
-    assert_eq!(json["largest_tilt"]["value"], largest);
-    tells(&table, [largest, "without dilatancy may let"]);
-    tells(&csv, [largest, "may_move", ",true,,"]);
-}
-
-/// What it says depends on the friction, and on whether anything is left.
-#[test]
-fn outcomes_are_told_apart() {
-    for (arguments, outcome) in [
-        ("--alpha pi/2 --mu inf --eta 0.15 --tilt 0.1", "stands, proved"),
-        (
-            "--alpha pi/2 --mu 0.7 --eta 0.15 --tilt 0.1",
-            "stands, proved: an admissible state exists",
-        ),
-        ("--alpha pi/2 --mu 0.4 --eta 0.15 --tilt 0.1", "collapses, proved: no state"),
-        ("--alpha pi/2 --mu 0.7 --eta 0.1 --tilt 0", "without tilt either"),
-        ("--alpha 0.5 --mu 2 --eta 0.7 --tilt 10", "unbounded"),
-    ] {
-        let out = of(&format!("{arguments} --digits 4"));
-        assert!(out.contains(outcome), "{arguments}: {out}");
-        let stands = outcome.starts_with("stands") || outcome == "unbounded";
-        let may_move = stands && !arguments.contains("--mu inf");
-        assert_eq!(out.contains("may let such an arch move"), may_move, "{arguments}: {out}");
-    }
 }
 
 /// The drawings that the manual promises of a tilted arch are those that there are.
@@ -58,27 +25,6 @@ fn the_manual_names_the_drawings_of_a_tilted_arch() {
     }
 }
 
-/// Arches of stones under an acceleration, in every format.
-#[test]
-fn stones_are_tilted() {
-    let of = |line: &str| printed(format!("voussoirs {line}"));
-    let arch = "--alpha pi/2 --mu 0.4 --eta 0.15 --stones 11 --digits 8";
-    let words = of(&format!("{arch} --tilt 0.05"));
-    let stands = "stands, proved: an admissible state exists, between the stones";
-    tells(&words, ["11 equal stones", "at joint", stands]);
-    let json = object(format!("voussoirs {arch} --tilt 0.05"));
-    let largest = json["largest_tilt"]["value"].text();
-    assert!(words.contains(largest) && json["stones"] == "11 equal stones", "{json}");
-    // With a joint at every angle it bears less.
-    assert!(largest.parse::<f64>().unwrap() > 0.052_468, "{largest}");
-    assert!(of(&format!("{arch} --tilt 0.2")).contains("collapses, proved: no state"));
-    tells(&of(&format!("{arch} --tilt 0.05 --format csv")), [",11 equal stones,"]);
-    let joints = "--joints 0,0.5,1,pi/2 --mu inf --eta 0.15 --tilt 0.05";
-    assert!(of(joints).contains("stands, proved"));
-    let thin = "--alpha pi/2 --mu 0.4 --eta 0.01 --stones 11 --tilt 0.05";
-    tells(&of(thin), ["without tilt either"]);
-}
-
 /// An acceleration is a ratio and an angle; the forces at the crown are ratios times `w r`, which the weight tells.
 #[test]
 fn a_tilted_arch_has_forces_and_angles() {
@@ -90,13 +36,13 @@ fn a_tilted_arch_has_forces_and_angles() {
         let json = object(format!("assess {loaded}"));
         let is = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-10, "{a} {b}: {json}");
         // 2 w r alpha, where alpha is one radian and w r = 19.6133 x 0.6 x 3.3 kN.
-        let unit = json["weight_kn"].number() / 2.0;
+        let unit = json["weight_kn"].value() / 2.0;
         is(unit, 19.6133 * 0.6 * 3.3);
-        is(json["thrust_kn"].number(), unit * json["thrust"].number());
-        is(json["vertical_force_kn"].number(), unit * json["vertical_force"].number());
-        is(json["largest_tilt_degrees"].number().to_radians().tan(), json["largest_tilt"].number());
+        is(json["thrust_kn"].value(), unit * json["thrust"].value());
+        is(json["vertical_force_kn"].value(), unit * json["vertical_force"].value());
+        is(json["largest_tilt_degrees"].value().to_radians().tan(), json["largest_tilt"].value());
         for joint in json["gives_way"].list() {
-            is(joint["angle_degrees"].number().to_radians(), joint["angle"].number());
+            is(joint["angle_degrees"].value().to_radians(), joint["angle"].value());
         }
         tells(&of(&format!("{loaded} --format csv")), [json["thrust_kn"]["value"].text()]);
     }
@@ -128,11 +74,11 @@ fn the_joints_that_give_way_are_named() {
         ("--alpha pi/2 --mu 0.4 --eta 0.15 --stones 11", 0.15, 0.4),
     ] {
         let json = object(format!("assess {arch} --tilt 0.01 --digits 12"));
-        let tilt = json["largest_tilt"].number();
+        let tilt = json["largest_tilt"].value();
         let fac = 1.0 + eta * eta / 12.0;
         let joint = |joint: &Value| {
             let sign = if joint["side"] == "left" { -1.0 } else { 1.0 };
-            (joint["happens"].as_str().unwrap().to_owned(), sign * joint["angle"].number())
+            (joint["happens"].as_str().unwrap().to_owned(), sign * joint["angle"].value())
         };
         let joints: Vec<(String, f64)> = json["gives_way"].list().iter().map(joint).collect();
         assert_eq!(joints.len(), 4, "{arch}");

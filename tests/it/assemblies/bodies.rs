@@ -1,5 +1,6 @@
 //! The files of bodies, read back.
 
+use crate::program::Json;
 use serde_json::Value;
 
 /// Text of a file, and what spoils it: a face that is gone, an outline that is open.
@@ -10,21 +11,21 @@ pub(super) fn spoiled(format: &str) -> [&'static str; 2] {
 /// What is wrong with a file, held against its question.
 pub(super) fn fault(format: &str, file: &str, question: &Value) -> Option<String> {
     let found = if format == "obj" { volumes(file) } else { areas(file) };
-    let stones = question["blocks"].as_array().unwrap();
+    let stones = question["blocks"].list();
     let all = found.len() == stones.len() + 2;
     // The prisms have chords, the outlines arcs.
     let told = |stone: &Value| match format {
         "obj" => chords(&stone["polygon"]),
-        _ => stone["weight"].as_f64().unwrap(),
+        _ => stone["weight"].number(),
     };
-    let radius = question["radius"].as_f64().unwrap();
+    let radius = question["radius"].number();
     let near =
         |(found, stone): (&f64, &Value)| (found - told(stone)).abs() < 1e-6 * radius * radius;
     (!all || !found.iter().zip(stones).all(near)).then(|| format!("{found:?}"))
 }
 
 fn chords(polygon: &Value) -> f64 {
-    let at = |corner: usize, axis: usize| polygon[corner % 4][axis].as_f64().unwrap();
+    let at = |corner: usize, axis: usize| polygon[corner % 4][axis].number();
     let cross = |i: usize| at(i, 0) * at(i + 1, 1) - at(i, 1) * at(i + 1, 0);
     (0..4).map(cross).sum::<f64>() / 2.0
 }

@@ -1,5 +1,6 @@
 //! A question held against what its own numbers say: sectors by Green's theorem, forces by sums over stones.
 
+use crate::program::Json;
 use serde_json::Value;
 
 /// How far off a number may be, over the radius.
@@ -16,27 +17,23 @@ struct Read {
     is_heyman: bool,
 }
 
-fn number(of: &Value) -> f64 {
-    of.as_f64().unwrap_or_else(|| of.as_str().unwrap().parse().unwrap())
-}
-
 impl Read {
     fn new(of: &Value) -> Self {
-        let radius = number(&of["radius"]);
-        let point = |x: &Value| [number(&x[0]) / radius, number(&x[1]) / radius];
+        let radius = of["radius"].number();
+        let point = |x: &Value| [x[0].number() / radius, x[1].number() / radius];
         let corners = |x: &Value| [0, 1, 2, 3].map(|corner| point(&x[corner]));
-        let list = |name: &str| of[name].as_array().unwrap().iter();
+        let list = |name: &str| of[name].list().iter();
         let count = of["stones"].as_u64().unwrap();
-        let alpha = number(&of["half_opening_rad"]);
+        let alpha = of["half_opening_rad"].number();
         let angle = |joint: u64| alpha * (2.0 * joint as f64 / count as f64 - 1.0);
         Self {
-            thickness: number(&of["thickness_ratio"]),
-            friction: number(&of["friction_double"]),
+            thickness: of["thickness_ratio"].number(),
+            friction: of["friction_double"].number(),
             angles: (0..=count).map(angle).collect(),
             joints: list("joints").map(|ends| [point(&ends[0]), point(&ends[1])]).collect(),
             stones: list("blocks")
                 .map(|stone| {
-                    let weight = number(&stone["weight"]) / radius.powi(2);
+                    let weight = stone["weight"].number() / radius.powi(2);
                     (corners(&stone["polygon"]), weight, point(&stone["centroid"]))
                 })
                 .collect(),
@@ -180,7 +177,7 @@ fn fault_of_bodies(read: &Read, supports: &Value, radius: f64) -> Option<&'stati
         let corners = [right[0], right[1], left[1], left[0]];
         (0..4).all(|corner| {
             let at = &supports[side][corner];
-            are_near([number(&at[0]) / radius, number(&at[1]) / radius], corners[corner])
+            are_near([at[0].number() / radius, at[1].number() / radius], corners[corner])
         })
     };
     (!ground(0, -1.0) || !ground(1, 1.0)).then_some("the ground")
@@ -190,12 +187,13 @@ fn fault_of_bodies(read: &Read, supports: &Value, radius: f64) -> Option<&'stati
 fn fault_of_proof(read: &Read, of: &Value) -> Option<&'static str> {
     let proof = &of["proof"];
     if of["stands"] == true {
-        let state = ["thrust", "moment"].map(|name| proof.get(name).map_or(f64::NAN, number));
+        let state =
+            ["thrust", "moment"].map(|name| proof.get(name).map_or(f64::NAN, Json::decimal));
         return (!read.is_admissible(state)).then_some("the state");
     }
     let bound = |name: &str, is_least| {
         let found = read.bound(&proof[name]["by"], is_least)?;
-        let told = number(&proof[name]["thrust"]["value"]);
+        let told = proof[name]["thrust"].value();
         ((found - told).abs() < 1e-9 * (1.0 + told.abs())).then_some(found)
     };
     match (bound("needed", true), bound("borne", false)) {
@@ -207,6 +205,6 @@ fn fault_of_proof(read: &Read, of: &Value) -> Option<&'static str> {
 /// What is wrong with a question and its answer.
 pub(super) fn fault(of: &Value) -> Option<&'static str> {
     let read = Read::new(of);
-    fault_of_bodies(&read, &of["supports"], number(&of["radius"]))
+    fault_of_bodies(&read, &of["supports"], of["radius"].number())
         .or_else(|| fault_of_proof(&read, of))
 }

@@ -111,7 +111,7 @@ fn a_judge_tells_the_margin_from_which_verdicts_are_right() {
     let mut rows = "program,id,stands\n".to_owned();
     for of in drawn {
         assert_eq!(fault(of), None, "{}", of["id"]);
-        let safety = of["safety"].number();
+        let safety = of["safety"].value();
         let margin: f64 = of["margin"].text().trim_end_matches('%').parse().unwrap();
         assert!(((safety - 1.0).abs() - margin / 100.0).abs() < 2e-5, "{}", of["id"]);
         let (id, stands) = (of["id"].text(), of["stands"].as_bool().unwrap());
@@ -152,7 +152,7 @@ fn the_commands_prove_the_verdicts_again() {
             Some("friction") => &assessed["required_friction"],
             _ => &found["thickness"],
         };
-        let ratio = threshold.number() / question["threshold"].number();
+        let ratio = threshold.value() / question["threshold"].value();
         assert!((ratio - 1.0).abs() < 1e-11, "{command}: {threshold}");
     }
 }

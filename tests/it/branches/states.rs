@@ -2,7 +2,7 @@
 
 use super::{BITS, Tangent};
 use crate::arches::at_landmark;
-use crate::hard::config;
+use crate::hard::{config, weights};
 use couplet::arch::{SelfWeight, Unknown, thrust};
 use couplet::certify::state::{Certify, Outcome};
 use couplet::number::{Angle, Ball};
@@ -27,9 +27,8 @@ proptest! {
 
     #[test]
     fn states_on_either_side_follow_one_tangent(
-        heyman in any::<bool>(), wider in any::<bool>(), mantissa in 1i32..1000, places in 7u32..60,
+        weight in weights(), wider in any::<bool>(), mantissa in 1i32..1000, places in 7u32..60,
     ) {
-        let weight = if heyman { SelfWeight::Heyman } else { SelfWeight::Milankovitch };
         let size = Rational::from(mantissa) / rug::Integer::from(10).pow(places);
         let step = if wider { size } else { -size };
         let (a, state) = state(weight, &step);

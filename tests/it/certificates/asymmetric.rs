@@ -1,8 +1,9 @@
 //! Certificates of asymmetric solutions of (19), and their spoiled copies.
 
-use super::originals::{alike, asymmetric, find_root, is_near, random, root, to_value};
+use super::originals::{alike, asymmetric, find_root, is_near, root, to_value};
 use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled};
 use crate::arches::{H, M, arch};
+use crate::hard::random;
 use crate::program::{ended, printed, tells};
 use couplet::arch::SelfWeight;
 use couplet::arch::asymmetric::AsymmetricMode::{

@@ -3,7 +3,7 @@
 
 use super::originals::{alike, landmark};
 use super::refusals::{Original, arch, point};
-use crate::program::Scratch;
+use crate::program::{Scratch, limited, said};
 use couplet::check::{Refusal, check};
 use couplet::number::AstroInterval;
 use cpu_time::ThreadTime;
@@ -127,13 +127,9 @@ fn monsters_are_refused_in_little_memory() {
     let files: Vec<String> =
         (0..MONSTERS.len()).map(|k| scratch.path(&format!("{k}.json"))).collect();
     MONSTERS.iter().zip(&files).for_each(|(bytes, file)| std::fs::write(file, bytes()).unwrap());
-    let output = std::process::Command::new("sh")
-        .args(["-c", "ulimit -v 262144; exec \"$0\" check \"$@\"", env!("CARGO_BIN_EXE_couplet")])
-        .args(&files)
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
-    let lines = String::from_utf8(output.stdout).unwrap();
+    let asked = std::iter::once("check").chain(files.iter().map(String::as_str));
+    let (code, lines, message) = said(&limited("ulimit -v 262144", asked.collect::<Vec<_>>()));
+    assert_eq!(code, Some(1), "{message}");
     assert_eq!(lines.lines().filter(|line| line.contains(".json: refused: ")).count(), files.len());
     assert_eq!(lines.lines().count(), files.len());
 }

@@ -127,14 +127,6 @@ pub(super) fn root(certificate: &Value) -> Vec<f64> {
     certificate["root"]["centre"].as_array().unwrap().iter().map(number).collect()
 }
 
-/// Numbers from 0 to 1, always the same of one seed.
-pub(super) fn random(mut seed: u64) -> impl FnMut() -> f64 {
-    move || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
 #[track_caller]
 pub(super) fn is_near(one: &[f64], other: &[f64], within: f64) {
     let is_near = one.iter().zip(other).all(|(a, b)| (a - b).abs() < within);

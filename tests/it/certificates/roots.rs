@@ -1,8 +1,7 @@
 //! Many roots of the equations with right witnesses, and the one that is meant.
 
-use super::originals::{
-    find_root, is_near, landmark_problem, random, root, state_problem, to_value,
-};
+use super::originals::{find_root, is_near, landmark_problem, root, state_problem, to_value};
+use crate::hard::random;
 use couplet::arch::{SelfWeight, Unknown};
 use couplet::certify::certify_landmark;
 use couplet::check::{Refusal, check_certificate};

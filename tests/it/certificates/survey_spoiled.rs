@@ -4,7 +4,7 @@ use super::originals::answers;
 use super::spoiler::spoiled;
 use super::survey::{free, made, spanned};
 use crate::arches::{H, M};
-use crate::hard::config;
+use crate::hard::{config, weights};
 use couplet::certify::state::Certify;
 use couplet::certify::{Error, certify_survey};
 use couplet::check::{AcceptedFile, AcceptedSurvey};
@@ -121,7 +121,6 @@ fn surveys() -> impl Strategy<Value = Survey> {
         })
     };
     let metres = |ends: [u32; 2]| ends.map(|cm| format!("{cm}cm").parse::<Length>().unwrap());
-    let weight = prop_oneof![Just(H), Just(M)];
     let friction =
         ends(10..160, 40).prop_map(move |mu| rational(mu, 100).map(Friction::Coefficient));
     let free = (ends(20..240, 30), ends(1..600, 300)).prop_map(move |(alpha, eta)| Shape::Free {
@@ -136,7 +135,7 @@ fn surveys() -> impl Strategy<Value = Survey> {
             Shape::Spanned { circle, span, rise, thickness }
         },
     );
-    (weight, friction, prop_oneof![free, spanned])
+    (weights(), friction, prop_oneof![free, spanned])
         .prop_filter_map("a survey", |(weight, mu, shape)| Survey::new(weight, mu, shape).ok())
 }
 

@@ -79,39 +79,6 @@ fn what_may_be_read_otherwise_is_no_refutation() {
     }
 }
 
-#[test]
-fn a_derivation_can_be_followed() {
-    let text = printed("prove eq-7 --show");
-    assert!(!text.contains("in words"));
-    tells(
-        &text,
-        [
-            "S delta eta^3 + 3 (f + g) eta^2 - 12 (g - S) eta - 12 (f - g)",
-            "let    cofactor u of P",
-            "given  S != 0, 2 - eta != 0",
-            "4 claims: 3 proved as printed, 1 proved, not stated in the paper; 1 joined by sentences",
-        ],
-    );
-    let text =
-        printed("prove unique-attained map-columns eq-9-11-signs survey-safety survey-worst");
-    tells(
-        &text,
-        [
-            "by checks and theorems of Coq",
-            "by checks and an argument in words",
-            "by checks, theorems of Coq and an argument in words",
-            "by checks, theorems of Coq and claims that rest on an argument",
-            "; 3 by theorems of Coq; 3 by an argument in words, 1 resting on one; ",
-        ],
-    );
-    let file = object("prove eq-8 --show");
-    let steps = file["claims"][0]["derivation"].list();
-    assert!(steps.iter().all(|step| step["support"] == "algebra"));
-    let document = printed("prove eq-7-eta --show --format latex");
-    assert!(document.starts_with("\\documentclass") && document.ends_with("\\end{document}\n"));
-    assert!(document.contains(r"S \delta_M {\eta}^{3} + 3 (f + g) {\eta}^{2}"));
-}
-
 /// Claims are decided in parallel, and many of them wait for the same comparison of the weights.
 #[test]
 fn no_claim_waits_for_one_that_waits_for_it() {

@@ -8,7 +8,6 @@ mod grids;
 mod interrupts;
 mod language;
 mod measured;
-mod notes;
 #[cfg(unix)]
 mod owners;
 mod ranged_rows;

@@ -2,10 +2,9 @@
 
 use super::stdout;
 use crate::program::{
-    Json, Scratch, ended, fed, header, lines, object, printed, refused, rows, said, says, start,
-    tells, text,
+    Json, Scratch, ended, fed, lines, object, printed, refused, rows, said, start, tells, text,
 };
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
 
@@ -17,44 +16,6 @@ fn objects(arguments: &str, input: impl AsRef<[u8]>) -> Vec<Value> {
 /// The same as a table with all its columns, by their names.
 fn table(arguments: &str, input: &str) -> Vec<BTreeMap<String, String>> {
     rows(fed(format!("states --format csv --columns all {arguments}"), input).stdout)
-}
-
-const ARCH: &str = "\"weight\":\"heyman\",\"half_opening\":1.5,\"friction\":\"inf\"";
-
-#[test]
-fn each_object_is_answered_by_what_it_asks() {
-    let (state, thin) = (format!("{{{ARCH}}}"), format!("{{{ARCH},\"thickness\":0.05}}"));
-    for (input, first) in [(format!("{state}\n{thin}\n"), 0), (format!("{thin}\n{state}\n"), 1)] {
-        let found = objects("--digits 5", input);
-        let (state, thin) = (&found[first], &found[1 - first]);
-        says(state, json!({"schema": "couplet.state/2", "can_stand": true, "stands": null}));
-        assert_eq!(state["thickness"]["value"], "0.090141");
-        says(thin, json!({"schema": "couplet.assess/2", "stands": false, "thickness": "0.05"}));
-        assert_eq!(thin["thickness_double"], 0.05);
-        assert_eq!(thin["least_thickness"]["value"], "0.090141");
-    }
-    let both = table("--digits 5", &format!("{state}\n{thin}\n"));
-    assert_eq!(both[1]["stands"], "false", "a table has a column for what some row asks");
-}
-
-#[test]
-fn a_row_of_a_table_asks_with_what_it_has() {
-    let input = "weight,alpha,mu,eta\nheyman,1.5,inf,\nheyman,1.5,inf,0.05\n";
-    let [state, thin] = &table("--digits 5", input)[..] else { panic!() };
-    for (column, of_state, of_thin) in [
-        ("thickness", "", "0.05"),
-        ("can_stand", "true", ""),
-        ("stands", "", "false"),
-        ("mode", "[r,r,r]", ""),
-        ("least_thickness", "0.090141", "0.090141"),
-        ("thrust", "0.65327", ""),
-        ("geometric_safety", "", "0.55469"),
-        ("half_opening_deg", "85.94366926962348", "85.94366926962348"),
-        ("friction_double", "inf", "inf"),
-        ("thickness_double", "", "0.05"),
-    ] {
-        assert_eq!((&*state[column], &*thin[column]), (of_state, of_thin), "{column}");
-    }
 }
 
 #[test]
@@ -105,24 +66,6 @@ fn a_comma_is_no_decimal_point_where_commas_separate() {
     assert!(row["error"].text().contains("'1,5'"), "{row}");
 }
 
-#[test]
-fn what_is_kept_is_handed_on() {
-    let input = "id,alpha,mu,mode,remark\n7,1.5,inf,fast,\"a,b\"\n8,x,inf,slow,\n";
-    let found = table("--keep id,mode", input);
-    let told = ["id", "input_mode", "mode"].map(|name| &*found[0][name]);
-    assert_eq!(told, ["7", "fast", "[r,r,r]"]);
-    assert_eq!((&*found[1]["id"], &*found[1]["input_mode"]), ("8", "slow"), "of a bad row too");
-    assert!(!found[0].contains_key("remark"));
-    let all = objects("--keep all", input);
-    assert_eq!(all[0]["kept"], json!({"id": "7", "mode": "fast", "remark": "a,b"}));
-    let exact = "{\"alpha\":1,\"mu\":1,\"id\":10000000000000000000001.50,\"x\":[1]}";
-    let json = objects("--keep all", exact);
-    assert_eq!((&json[0]["kept"]["x"], &json[0]["line"]), (&json!([1]), &1.into()));
-    let output = stdout(&fed("states --keep id", exact.replace(",\"x\":[1]", "")));
-    let kept = "\"kept\":{\"id\":10000000000000000000001.50}";
-    assert!(output.contains(kept), "every digit: {output}");
-}
-
 /// Columns of others are read by the names that they are given; and what is written here can be read here.
 #[test]
 fn columns_of_others_are_ours_by_name() {
@@ -156,27 +99,9 @@ fn columns_of_others_are_ours_by_name() {
     }
 }
 
+/// Forces follow from a density and a depth.
 #[test]
-fn what_would_be_dropped_in_error_is_refused() {
-    let found = objects("", format!("{{{ARCH},\"thicknes\":1}}\n{{{ARCH},\"mu\":1}}\n"));
-    assert!(found[0]["error"].text().contains("did you mean 'thickness'?"));
-    assert!(found[1]["error"].text().contains("'friction' and 'mu' are the same"));
-}
-
-/// What one arch may be asked and no row is must not be dropped: without it the answer would be that of another arch.
-#[test]
-fn what_no_row_answers_is_refused_with_what_answers_it() {
-    for name in ["stones", "joints", "tilt"] {
-        let input = format!("alpha,mu,eta,{name}\n1,1,0.1,5\n");
-        let why = format!("'{name}' is not read here: `couplet assess --{name}` answers it");
-        let given = format!("{{{ARCH},\"{name}\":5}}\n{{{ARCH},\"{name}\":null}}\n");
-        let found = objects("", &given);
-        assert!(found[0]["error"].text().contains(&why), "{}", found[0]);
-        assert_eq!(found[1]["can_stand"], true, "asks nothing");
-        let kept = &table(&format!("--keep {name}"), &input)[0];
-        assert_eq!((&*kept[name], &*kept["stands"]), ("5", "true"));
-    }
-    // Forces follow from a density and a depth.
+fn a_row_with_a_density_and_a_depth_has_forces() {
     let input = "span,rise,mu,thickness,density,depth\n10m,3m,0.6,60cm,24kN/m3,1m\n10m,3m,0.6,,,\n";
     let found = table("--digits 6", input);
     let line = "assess --span 10m --rise 3m --friction 0.6 --thickness 60cm --density 24kN/m3 --depth 1m --digits 6";
@@ -185,22 +110,6 @@ fn what_no_row_answers_is_refused_with_what_answers_it() {
         assert_eq!(alone[name]["value"], found[0][name], "{name}");
     }
     assert_eq!((&*found[1]["weight_kn"], &*found[1]["error"]), ("", ""));
-}
-
-/// By default a table has what was asked and what is told; numbers for programs are asked for.
-#[test]
-fn doubles_and_hexadecimals_are_asked_for() {
-    let header =
-        |asked: &str| header(format!("states --quantity thrust {asked}"), "alpha,mu\n1,1\n");
-    let usual = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,reason,note,line,error";
-    let given = "half_opening_rad,half_opening_deg,friction_double";
-    let both = format!("{given},thrust_double");
-    assert_eq!(header(""), usual);
-    assert_eq!(header("--columns hex"), format!("{usual},thrust_hex"));
-    assert_eq!(header("--columns alpha,mu,doubles"), format!("{usual},{both}"));
-    for columns in ["--columns all", "--columns doubles,hex --digits 5"] {
-        assert_eq!(header(columns), format!("{usual},{both},thrust_hex"));
-    }
 }
 
 #[test]

@@ -1,14 +1,9 @@
 //! `couplet state`, `couplet assess` and `couplet states`.
 
-use super::{exact, stdout};
-use crate::program::{Json, ended, fed, object, of_lines, printed, rows, says, tells};
+use super::exact;
+use crate::arches::tangent_of_one_half;
+use crate::program::{Json, ended, object, of_lines, printed, rows, says, tells};
 use serde_json::{Value, json};
-
-/// The tangent of the half opening, to more digits than any precision that is tried.
-fn tangent_of_one_half() -> String {
-    let half = rug::Float::with_val(40_000, 0.5);
-    half.tan().to_string_radix(10, Some(11_000))
-}
 
 /// What stays open is open alone, in every format and in the exit code.
 #[test]
@@ -57,20 +52,6 @@ fn what_is_found_is_written_in_every_format() {
     assert_eq!(at("find boundary srr/ss", "friction"), sliding);
     let rotational = at("state --friction 1", "rotational_friction");
     assert_eq!(at("find boundary rrr/srr", "friction"), rotational);
-}
-
-#[test]
-fn a_state_that_falls_says_what_would_be_enough() {
-    let falls = "state --alpha pi/2 --mu 0.3 --weight heyman --digits 6";
-    let table = printed(falls);
-    assert!(table.contains("stands with a friction from") && table.contains("0.309215"), "{table}");
-    let entry = object(falls);
-    assert_eq!(entry["sliding_friction"]["value"], "0.309215");
-    assert_eq!(entry["enough"]["friction"]["value"], "0.309215");
-    let widest = "find half-opening --mu 0.3 --weight heyman --digits 6 --plain";
-    let widest = printed(format!("{widest} --quantity half_opening"));
-    assert_eq!(entry["enough"]["half_opening"]["value"], widest.trim());
-    assert!(printed(format!("{falls} --format csv")).contains(",0.309215,"));
 }
 
 #[test]
@@ -147,25 +128,4 @@ fn a_number_longer_than_a_command_line_is_refused() {
     let digits = format!("0.{}", "1".repeat(100_000));
     let (output, _) = ended(2, "states", format!("weight,alpha,mu\nheyman,{digits},1\n"));
     tells(&output, ["a number of 100002 characters is too long"]);
-}
-
-/// A table for a spreadsheet or a paper has the rows of the usual one.
-#[test]
-fn rows_are_written_for_people_too() {
-    let input = "span;rise;thickness;friction\n12m;6m;80cm;0,6\n12m;5m;80cm;0,6\n";
-    let written =
-        |format, input: &str| stdout(&fed(format!("states --digits 6 --format {format}"), input));
-    let csv2 = written("csv2", input);
-    tells(&csv2, ["\nmilankovitch;pi/2;0,6;0,125;intrados;proved;", ";0,107478;1,16303;"]);
-    let again = written("csv2", &csv2);
-    assert_eq!(again.matches(";0,107478;1,16303;").count(), 1, "it reads what it writes: {again}");
-    let markdown = written("markdown", input);
-    assert_eq!(markdown.lines().count(), 4, "{markdown}");
-    let heads = "| weight | alpha | mu | eta = t/r | measured at |";
-    assert!(markdown.starts_with(heads) && markdown.contains("| 0.107478 | 1.16303 |"));
-    assert!(!markdown.contains("sliding") && !markdown.contains("line"), "empty: {markdown}");
-    let latex = written("latex", input);
-    assert!(latex.contains(r"\num{0.107478} & \num{1.16303}"), "{latex}");
-    let (last, _) = ended(2, "states --format markdown", format!("{input}12m;5m;80cm;x\n"));
-    tells(&last, ["| 4 | 'x' is not a friction: "]);
 }

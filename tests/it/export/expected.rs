@@ -1,6 +1,6 @@
 //! What every language has to read back, found in another way: from sixty proved digits.
 
-use crate::program::object;
+use crate::program::{Json, object};
 use couplet::number::Decimal;
 use rug::{Float, Rational};
 use serde_json::Value;
@@ -44,9 +44,9 @@ fn rational(text: &str) -> Rational {
     text.parse::<Decimal>().unwrap().to_rational()
 }
 
-fn expected(few: &Value, many: &Value) -> Expected {
-    let text = |value: &Value, key: &str| value[key].as_str().unwrap().to_owned();
-    let point = match few["landmark"].as_str().unwrap() {
+/// The name of a landmark in capitals, whatever the case of its symbol.
+fn point(symbol: &str) -> &'static str {
+    match symbol {
         "T" => "T",
         "S" => "S",
         "J" => "J",
@@ -55,7 +55,17 @@ fn expected(few: &Value, many: &Value) -> Expected {
         "L" => "OVERTURNING_END",
         "sb" => "SB",
         other => panic!("{other}"),
-    };
+    }
+}
+
+/// The constant of a landmark, a weight and a quantity.
+pub(super) fn of([landmark, weight, quantity]: [&str; 3]) -> &'static Expected {
+    &all()[&format!("{}_{weight}_{quantity}", point(landmark)).to_uppercase()]
+}
+
+fn expected(few: &Value, many: &Value) -> Expected {
+    let text = |value: &Value, key: &str| value[key].text().to_owned();
+    let point = point(few["landmark"].text());
     let (doubles, distance, quad) = if many["value"] == "inf" {
         ([f64::INFINITY; 3], Rational::new(), None)
     } else {
@@ -89,7 +99,7 @@ pub(super) fn all() -> &'static BTreeMap<String, Expected> {
 fn find() -> BTreeMap<String, Expected> {
     let [few, many] =
         ["3", "60"].map(|digits| object(["constants", "--digits", digits])["constants"].clone());
-    let pairs = few.as_array().unwrap().iter().zip(many.as_array().unwrap());
+    let pairs = few.list().iter().zip(many.list());
     let all: BTreeMap<_, _> =
         pairs.map(|(few, many)| expected(few, many)).map(|value| (value.name(), value)).collect();
     assert_eq!(all.len(), 2 * (6 * 13 + 8), "names are unique, whatever the case of their letters");

@@ -1,6 +1,6 @@
 //! Parquet files, read back.
 
-use super::expected::all;
+use super::expected::{all, of};
 use crate::program::{Scratch, fed};
 use parquet::basic::ColumnOrder;
 use parquet::file::metadata::ColumnChunkMetaData;
@@ -39,7 +39,7 @@ pub(crate) fn groups(file: Vec<u8>) -> Vec<Vec<(String, f64, f64)>> {
     groups.map(|group| group.columns().iter().filter_map(bounds).collect()).collect()
 }
 
-fn text(field: &Field) -> &str {
+pub(crate) fn text(field: &Field) -> &str {
     if let Field::Str(text) = field { text } else { "" }
 }
 
@@ -53,16 +53,9 @@ fn constants_are_read_back_bit_for_bit() {
     assert_eq!(notes["couplet.digits"], "3");
     assert_eq!(notes["couplet.schema"], "couplet.constants/1");
     assert!(notes["couplet.tool"].starts_with("couplet "));
-    let all = all();
-    assert_eq!(rows.len(), all.len());
+    assert_eq!(rows.len(), all().len());
     for row in rows {
-        let point = match text(&row["landmark"]) {
-            "l" => "ROTATION_END".to_owned(),
-            "L" => "OVERTURNING_END".to_owned(),
-            other => other.to_uppercase(),
-        };
-        let name = format!("{point}_{}_{}", text(&row["weight"]), text(&row["quantity"]));
-        let value = &all[&name.to_uppercase()];
+        let value = of(["landmark", "weight", "quantity"].map(|name| text(&row[name])));
         value.check(
             ["double", "double_lower", "double_upper", "double_error"].map(|key| double(&row[key])),
         );

@@ -1,5 +1,6 @@
 //! Every JSON that is written is as its schema in `docs/schemas/` says, and nothing more.
 
+use crate::arches::tangent_of_one_half;
 use crate::house::{certificates, files, read};
 use crate::program::{Json, Scratch, couplet, fed, object, printed, text};
 use serde_json::{Map, Value};
@@ -139,10 +140,8 @@ fn what_is_written_is_as_the_schemas_say() {
     documents.extend(sweeps(&scratch));
     let stored = certificates(["asymmetric", "constants", "states", "surveys"]);
     documents.extend(stored.into_iter().map(|path| fs::read_to_string(path).unwrap()));
-    // Nearer to the tangent of the half opening than can be told.
-    let open = rug::Float::with_val(40_000, 0.5).tan().to_string_radix(10, Some(11_000));
     let asked = include_str!("schemas.txt").lines().skip(1);
-    let open = format!("assess --alpha 1/2 --mu {open} --eta 0.6");
+    let open = format!("assess --alpha 1/2 --mu {} --eta 0.6", tangent_of_one_half());
     for line in asked.chain([open.as_str()]) {
         documents.push(text(&couplet(format!("{line} --format json")).stdout));
     }

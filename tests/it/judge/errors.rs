@@ -1,24 +1,19 @@
 //! What the library tells of a claim is so.
 
-use crate::arches::{H, arch, stands};
+use crate::arches::{H, arch, critical_friction, stands};
 use crate::hard::config;
-use couplet::certify::state::{Certify, Digits, Outcome};
+use couplet::certify::state::Digits;
 use couplet::judge::{CorrectDigits, Demand, RowClaim, Said, Verdict, judge};
 use couplet::number::Decimal;
 use couplet::problem::{Arch, Mode, Quantity};
 use proptest::prelude::*;
-use rug::{Integer, Rational};
+use rug::{Rational, ops::Pow};
 
 const USUAL: Demand = Demand::USUAL;
 
 #[test]
 fn what_cannot_be_told_is_accepted_of_nobody() {
-    // Nearer to the line than any precision that is tried can tell.
-    let critical = match arch(H, "pi/2", "1").state(12_000) {
-        Ok(Outcome::Stands(state)) => state.frictions.unwrap().rotational.unwrap(),
-        other => panic!("{other:?}"),
-    };
-    let line = arch(H, "pi/2", &critical.mid().to_string_radix(10, Some(3_300)));
+    let line = arch(H, "pi/2", &critical_friction());
     let verdict = |mode: &str, thickness: &str| {
         let numbers = vec![(Quantity::Thickness, thickness, false)];
         let said = Said { can_stand: Some("yes"), mode: Some(mode), numbers, ..Said::default() };
@@ -38,8 +33,7 @@ fn semicircle() -> (Arch, Box<Digits>) {
 }
 
 fn power_of_ten(exponent: i64) -> Rational {
-    let power = Rational::from(Integer::from(Integer::u_pow_u(10, exponent.unsigned_abs() as u32)));
-    if exponent < 0 { power.recip() } else { power }
+    Rational::from(10).pow(exponent as i32)
 }
 
 proptest! {

@@ -112,7 +112,7 @@ fn levels_are_states_of_arches() {
                 // The first node of a part lies on the line to the next mode.
                 assert!(modes.contains(&state["mode"].text().to_owned()), "{value} {mu}");
             }
-            let eta: f64 = state["thickness"]["value"].text().parse().unwrap();
+            let eta = state["thickness"].value();
             let [low, high] = [low, high].map(|bound| bound.parse::<f64>().unwrap());
             assert!(low - 1e-11 < eta && eta < high + 1e-11, "{value}, {mu}: {low} {eta} {high}");
         }

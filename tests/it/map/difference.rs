@@ -9,12 +9,12 @@ fn thickness(line: &Value, weight: &str, friction: f64) -> f64 {
     let of = format!("--mu {mu} --weight {weight} --digits 16");
     let modes = line.text();
     let found = object(format!("find boundary {modes} {of}"));
-    let eta = found["thickness"].number();
+    let eta = found["thickness"].value();
     if !modes.ends_with("/ss") {
         // Below such a line nothing stands, and a rounding of the half opening may be there.
         let alpha = found["half_opening"]["value"].text();
         let state = object(format!("state --alpha {alpha} {of}"));
-        let least = state["thickness"].number();
+        let least = state["thickness"].value();
         assert!((least - eta).abs() < 1e-11, "{line} {weight} {mu}: {least} {eta}");
     }
     eta

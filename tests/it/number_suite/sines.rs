@@ -1,9 +1,8 @@
 //! Sines and cosines at hard angles: in intervals, in balls, and of exact angles.
 
-use crate::hard::config;
+use crate::hard::{config, quarter_turns};
 use couplet::number::{Angle, AstroInterval, Ball, Enclosure, ExactNumber, Field, Magnitude, Real};
 use proptest::prelude::*;
-use rug::float::Constant;
 use rug::{Float, Rational};
 
 /// Mantissa and exponent apart, so that sizes far from one and cancellation are met.
@@ -22,16 +21,9 @@ fn any_float(bits: u32) -> impl Strategy<Value = Float> {
 
 /// Multiples of a quarter turn to some bits, and numbers of any size that are none.
 fn hard_angle() -> impl Strategy<Value = Float> {
-    let quarters = (1u32..60, 8u32..900, -3i32..=3).prop_map(|(n, bits, ulps)| {
-        let mut x = Float::with_val(bits, Float::with_val(bits + 64, Constant::Pi) * n / 2u32);
-        for _ in 0..ulps.abs() {
-            if ulps < 0 { x.next_down() } else { x.next_up() }
-        }
-        x
-    });
     let tiny = (any_float(100), 0i32..3000).prop_map(|(x, shift)| x >> shift);
     let large = (any_float(100), 0i32..300).prop_map(|(x, shift)| x << shift);
-    prop_oneof![quarters, any_float(128), tiny, large]
+    prop_oneof![quarter_turns(60, 8..900), any_float(128), tiny, large]
 }
 
 /// The sines of both ends and of the middle of an interval, or of a point, lie in its image; that of a point is narrow.

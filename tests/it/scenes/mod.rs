@@ -8,7 +8,6 @@ mod faults;
 mod folder;
 mod map;
 mod outputs;
-mod plan;
 mod ranges;
 mod reading;
 mod resume;

@@ -55,7 +55,7 @@ fn boxes_are_counted_by_what_is_proved_of_each() {
     }
     // The last key is the fastest.
     assert_eq!(texts(&cells[..3], "thickness"), ["0.05..0.07", "0.07..0.09", "0.09..0.11"]);
-    let [lower, upper] = ["lower", "upper"].map(|end| all["stands"][end].number());
+    let [lower, upper] = ["lower", "upper"].map(|end| all["stands"][end].decimal());
     let none = |name: &str| counts[name] as f64 / 36.0;
     assert!((lower - none("all_stand")).abs() < 1e-5);
     assert!((1.0 - upper - none("none_stands")).abs() < 1e-5);
@@ -68,7 +68,7 @@ fn finer_boxes_leave_less_open() {
         let all = answer(item);
         let of = |name: &str| {
             let mut all = all["outcomes"].list().iter();
-            all.find(|outcome| outcome["outcome"] == name).unwrap()["share"].number()
+            all.find(|outcome| outcome["outcome"] == name).unwrap()["share"].decimal()
         };
         ["all_stand", "none_stands", "both_occur"].map(of)
     };

@@ -1,9 +1,9 @@
 //! Arches of a given thickness.
 
-use super::{float_text, mode};
-use crate::arches::{H, M, arch, number};
+use super::mode;
+use crate::arches::{H, M, arch, critical_friction, number, tangent_of_one_half};
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{AssessmentDigits, Certify, Outcome};
+use couplet::certify::state::{AssessmentDigits, Certify};
 use couplet::problem::{Mode, Quantity};
 use std::collections::HashSet;
 
@@ -83,11 +83,7 @@ fn exact_ties_leave_the_thrust_unbounded() {
 /// A comparison that stays open leaves the others decided.
 #[test]
 fn an_open_answer_is_open_alone() {
-    // The tangent of the half opening, to more digits than any precision that is tried.
-    let alpha = number("1/2").enclosure::<couplet::number::Ball>(40_000);
-    let (sin, cos) = couplet::number::Real::sin_cos(&alpha);
-    let mu = float_text((sin / cos).mid(), 11_000);
-    let found = assessed(M, "1/2", &mu, "0.6");
+    let found = assessed(M, "1/2", &tangent_of_one_half(), "0.6");
     assert_eq!(found.stands, Ok(true));
     let open: Vec<_> = found.open().map(|(of, why)| (of, why.reason.as_ref())).collect();
     assert_eq!(open, [(Quantity::LargestThrust, "whether the shoulder can slide")]);
@@ -98,8 +94,7 @@ fn an_open_answer_is_open_alone() {
 /// On the line between two modes the least thickness stays open; that the arch stands does not.
 #[test]
 fn an_arch_between_modes_stands() {
-    let Ok(Outcome::Stands(state)) = arch(H, "pi/2", "1").state(40_000) else { panic!() };
-    let mu = float_text(state.frictions.unwrap().rotational.unwrap().mid(), 11_000);
+    let mu = critical_friction();
     for (eta, stands) in [("0.2", true), ("0.05", false)] {
         let found = assessed(H, "pi/2", &mu, eta);
         assert_eq!(found.stands, Ok(stands), "{eta}");

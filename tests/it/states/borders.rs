@@ -1,13 +1,14 @@
 //! On both sides of every border between modes, as near to it as can be told and nearer.
 
-use super::{BOTH, beside, digits, float_text, frictions, proved_twice};
-use crate::arches::{H, M, arch, at_landmark};
+use super::{BOTH, beside, digits, fall, float_text, frictions, proved_twice};
+use crate::arches::{H, M, arch, at_landmark, critical_friction};
 use couplet::Error;
 use couplet::arch::Unknown;
 use couplet::certify::Open;
-use couplet::certify::state::{Answer, Certify, Fall, Outcome};
+use couplet::certify::state::{Answer, Certify, Fall};
 use couplet::number::Ball;
 use couplet::problem::{Landmark, Mode};
+use rug::ops::Pow;
 use rug::{Float, Rational};
 
 #[test]
@@ -41,13 +42,8 @@ fn the_ends_of_the_branches_are_approached_from_both_sides() {
 fn openings_close_to_half_a_turn() {
     for weight in BOTH {
         for alpha in ["3", "3.14", "3.1415926535", "3.14159265358979323846264338327950"] {
-            let fall = |friction| match arch(weight, alpha, friction).certify(40) {
-                Ok(Answer::Falls { fall, .. }) => fall,
-                other => panic!("{weight:?} {alpha} {friction}: {other:?}"),
-            };
-            assert_eq!(fall("0.5"), Fall::Sliding);
-            assert_eq!(fall("1e60"), Fall::Thickness);
-            assert_eq!(fall("inf"), Fall::Thickness);
+            let falls = ["0.5", "1e60", "inf"].map(|friction| fall(weight, alpha, friction));
+            assert_eq!(falls, [Fall::Sliding, Fall::Thickness, Fall::Thickness], "{alpha}");
         }
     }
     for (weight, alpha) in [(H, "2.78"), (M, "2.648")] {
@@ -62,7 +58,7 @@ fn frictions_just_above_and_below_the_purely_sliding_one() {
     {
         let least = frictions(&digits(weight, alpha, "3", 100)).sliding.clone();
         let (below, above) = (least.decimal.lower.to_rational(), least.decimal.upper.to_rational());
-        let hair = Rational::from((1, 1)) / rug::Integer::from(rug::Integer::u_pow_u(10, 30));
+        let hair = Rational::from(10).pow(-30);
         let text = |x: Rational| float_text(&Float::with_val(600, &x), 120);
         assert_eq!(proved_twice(weight, alpha, &text(below - &hair)), None, "{alpha}");
         assert!(proved_twice(weight, alpha, &text(above + &hair)).is_some(), "{alpha}");
@@ -133,14 +129,8 @@ fn states_end_in_the_landmarks() {
 /// Exactly on a boundary enclosures cannot decide: the answer is a doubt with its modes, never a guess.
 #[test]
 fn beyond_the_last_precision_the_answer_is_undecided() {
-    // Nearer to the boundary than any precision that is tried can tell.
-    let alpha = "pi/2";
-    let critical = match arch(H, alpha, "1").state(40_000) {
-        Ok(Outcome::Stands(state)) => state.frictions.unwrap().rotational.unwrap(),
-        other => panic!("{other:?}"),
-    };
-    let friction = float_text(critical.mid(), 11_000);
-    let doubt = Error::apart(arch(H, alpha, &friction).certify(10)).unwrap().unwrap_err();
+    let arch = arch(H, "pi/2", &critical_friction());
+    let doubt = Error::apart(arch.certify(10)).unwrap().unwrap_err();
     assert_eq!((doubt.kind, doubt.bits.is_some_and(|bits| bits > 4_000)), (Open::Comparison, true));
     assert_eq!(doubt.between, [Mode::Rotational, Mode::SlidingRotational]);
     assert!(doubt.gap.is_some_and(|gap| (0.0..1e-300).contains(&gap)));

@@ -1,7 +1,7 @@
 //! States by a value: each one is that of its half opening, and a scan of the half openings between finds no other.
 
 use crate::arches::arch;
-use crate::hard::config;
+use crate::hard::{config, hair};
 use couplet::arch::SelfWeight;
 use couplet::certify::state::find::{StatesByValue, StatesOfValue};
 use couplet::certify::state::{Answer, Certify, Digits};
@@ -81,13 +81,9 @@ fn values() -> impl Strategy<Value = (Quantity, Rational)> {
     let quantity = prop::sample::select(&StatesByValue::GIVEN);
     let part = (1i64..1_000_000).prop_map(|n| Rational::from((n, 1_000_000)));
     let tiny = (1i64..1000, 3u32..100).prop_map(|(n, shift)| Rational::from(n) >> shift);
-    let beside = (any::<bool>(), 4u32..120).prop_map(|(up, shift)| {
-        let hair = Rational::from((1, 1)) >> shift;
-        if up { hair } else { -hair }
-    });
     let landmark =
         prop::sample::select(&[Landmark::RotationEnd, Landmark::OverturningEnd, Landmark::Triple]);
-    let ends = (quantity.clone(), weight(), landmark, beside);
+    let ends = (quantity.clone(), weight(), landmark, hair(4..120));
     let ends = ends.prop_filter_map("has one", |(quantity, weight, landmark, hair)| {
         let point = CertifiedLandmark::new(landmark, weight).unwrap();
         let at = point.constant(quantity, 40).ok()?.to_string().parse::<ExactNumber>().ok()?;

@@ -2,13 +2,12 @@
 
 use super::float_text;
 use crate::arches::{H, M, at_landmark};
-use crate::hard::config;
+use crate::hard::{config, weights};
 use couplet::arch::{Configuration, SelfWeight, Unknown, sliding};
 use couplet::number::{Angle, Dual};
 use couplet::problem::{Equation, Landmark, Mode};
 use couplet::solve::settle;
 use proptest::prelude::*;
-use proptest::sample::select;
 use rug::Float;
 use rug::ops::Pow;
 
@@ -52,7 +51,7 @@ proptest! {
     /// Within the rounding of a double and far below it, at any number of digits.
     #[test]
     fn beside_the_line_every_arch_is_proved(
-        weight in select(vec![H, M]), part in 0.01..0.98f64, exponent in 15u32..23, above in any::<bool>(),
+        weight in weights(), part in 0.01..0.98f64, exponent in 15u32..23, above in any::<bool>(),
         digits in 8usize..51,
     ) {
         let h = largest_thrust(weight) * part;

@@ -255,7 +255,7 @@ fn what_falls_says_what_would_be_enough() {
         (H, "2.75", "1.9"),
     ] {
         let enough = enough(weight, half_opening, friction, 40);
-        let hair = Rational::from((1, 1)) / rug::Integer::from(rug::Integer::u_pow_u(10, 30));
+        let hair = Rational::from(10).pow(-30);
         let beside = |value: &Rational| {
             [Rational::from(1) - &hair, Rational::from(1) + &hair]
                 .map(|part| float_text(&Float::with_val(400, &(value.clone() * part)), 100))

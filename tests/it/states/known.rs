@@ -1,9 +1,8 @@
 //! What is known of states from elsewhere: the literature and the map of the modes.
 
-use super::{digits, frictions, mode};
-use crate::arches::{H, M, arch};
-use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Certify, Fall};
+use super::{digits, fall, frictions, mode};
+use crate::arches::{H, M};
+use couplet::certify::state::Fall;
 use couplet::problem::Mode;
 
 /// Cocchetti & Rizzi, Frattura ed Integrità Strutturale 51 (2020): the Heyman-like semicircle.
@@ -37,13 +36,6 @@ fn the_semicircle_agrees_with_the_literature() {
         assert_eq!(state.thickness.decimal.value.to_string(), thickness, "{friction}");
     }
     assert_eq!(fall(H, "pi/2", "0.309"), Fall::Sliding);
-}
-
-fn fall(weight: SelfWeight, half_opening: &str, friction: &str) -> Fall {
-    match arch(weight, half_opening, friction).certify(10) {
-        Ok(Answer::Falls { fall, .. }) => fall,
-        other => panic!("{half_opening} {friction}: {other:?}"),
-    }
 }
 
 #[test]

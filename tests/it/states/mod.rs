@@ -15,7 +15,7 @@ mod widths;
 
 use crate::arches::{arch, at_landmark, stands};
 use couplet::arch::{SelfWeight, Unknown};
-use couplet::certify::state::{Answer, Certify, Digits, Figure, Frictions, Outcome};
+use couplet::certify::state::{Answer, Certify, Digits, Fall, Figure, Frictions, Outcome};
 use couplet::problem::{Landmark, Mode};
 use rug::Float;
 
@@ -25,6 +25,14 @@ fn digits(weight: SelfWeight, half_opening: &str, friction: &str, digits: usize)
 
 fn mode(weight: SelfWeight, half_opening: &str, friction: &str) -> Mode {
     digits(weight, half_opening, friction, 10).mode
+}
+
+/// Why an arch falls.
+fn fall(weight: SelfWeight, half_opening: &str, friction: &str) -> Fall {
+    match arch(weight, half_opening, friction).certify(40) {
+        Ok(Answer::Falls { fall, .. }) => fall,
+        other => panic!("{weight:?} {half_opening} {friction}: {other:?}"),
+    }
 }
 
 fn float_text(x: &Float, digits: usize) -> String {

@@ -1,8 +1,8 @@
 //! Many queries without a choice.
 
 use super::BOTH;
-use crate::arches::{H, M, arch, rational_arch};
-use crate::hard::{config, millionths};
+use crate::arches::{H, arch, rational_arch};
+use crate::hard::{config, millionths, random, weights};
 use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Certify, Fall, Outcome, State};
 use couplet::number::Enclosure;
@@ -29,9 +29,8 @@ proptest! {
     #[test]
     fn the_least_thickness_is_monotone(
         alpha in millionths(50_000, 2_640_000), wider in millionths(1_000, 200_000),
-        mu in millionths(100, 5_000_000), more in millionths(1_000, 500_000), heyman in any::<bool>(),
+        mu in millionths(100, 5_000_000), more in millionths(1_000, 500_000), weight in weights(),
     ) {
-        let weight = if heyman { H } else { M };
         let Some(first) = state(weight, &alpha, &mu) else { return Ok(()) };
         let rougher = state(weight, &alpha, &Rational::from(&mu + &more)).expect("friction only helps");
         prop_assert!(rougher.thickness.is_less_than(&first.thickness) == couplet::number::Ternary::True
@@ -45,14 +44,7 @@ proptest! {
 /// A fixed sequence of random queries over `(0, alpha_L) x (0, 5)`: each ends proved.
 fn random_queries(count: u64, weight: SelfWeight) -> [usize; 9] {
     let limit = if weight == H { 2.786498 } else { 2.648388 };
-    let mut seed = 0x9E37_79B9_7F4A_7C15u64 + weight.flag() as u64;
-    let mut random = || {
-        // xorshift64*: any sequence does, as long as it is always the same.
-        seed ^= seed >> 12;
-        seed ^= seed << 25;
-        seed ^= seed >> 27;
-        (seed.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut random = random(weight.flag() as u64);
     let mut met = [0; 9];
     for _ in 0..count {
         let (alpha, mu) = (format!("{:.17}", random() * limit), format!("{:.17}", random() * 5.0));

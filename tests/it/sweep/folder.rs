@@ -3,7 +3,7 @@
 use super::{files, folder, look, planned, sweep, sweeps};
 use crate::export::parquet::read;
 use crate::house::hash;
-use crate::program::{ended, said, tells};
+use crate::program::{ended, limited, said, tells};
 use parquet::record::Field;
 use std::fs;
 
@@ -45,10 +45,7 @@ fn a_record_that_is_too_large_is_not_read() {
     let record = format!("{home}.json");
     let first = fs::read(&record).unwrap();
     let small = |arguments: &[&str]| {
-        let line = "ulimit -v 4000000; exec \"$0\" \"$@\"";
-        let mut program = std::process::Command::new("sh");
-        program.args(["-c", line, env!("CARGO_BIN_EXE_couplet")]).args(arguments);
-        said(&program.args(["--threads", "1"]).output().unwrap())
+        said(&limited("ulimit -v 4000000", [arguments, &["--threads", "1"]].concat()))
     };
     for size in [(16 << 20) + 1, 20_000_000_000] {
         fs::File::options().write(true).open(&record).unwrap().set_len(size).unwrap();

@@ -2,9 +2,9 @@
 
 mod folder;
 
-use crate::export::parquet::read;
+use crate::export::parquet::{read, text};
 use crate::house::hash;
-use crate::program::{Scratch, command, ended, fed, printed, refused, said, start, tells};
+use crate::program::{Scratch, command, ended, fed, limited, printed, refused, said, start, tells};
 use couplet::certify::state::{Answer, Certify};
 use couplet::problem::Arch;
 use parquet::record::Field;
@@ -69,10 +69,6 @@ fn parts(files: &BTreeMap<String, Vec<u8>>) -> Vec<&Vec<u8>> {
 fn rows(scratch: &Scratch, out: &str) -> Vec<BTreeMap<String, Field>> {
     let files = files(scratch, out);
     parts(&files).into_iter().flat_map(|part| read(part.clone()).0).collect()
-}
-
-fn text(field: &Field) -> &str {
-    if let Field::Str(text) = field { text } else { "" }
 }
 
 const GRID: &str = "chunk = 24\nquantities = [\"thickness\", \"thrust\", \"sliding_joint\"]\n[grid]\n\
@@ -245,11 +241,9 @@ fn nothing_is_lost_when_a_worker_is_killed() {
 fn a_full_disk_is_one_line_and_leaves_nothing_half_written() {
     let scratch = planned("chunk = 200\n[sample]\ncount = 200\n");
     // No file may have more than 8 blocks of 512 bytes or a kilobyte, as the shell has it; a part has more.
-    let line = "trap '' XFSZ; ulimit -f 8; exec \"$0\" sweep \"$1\" -o \"$2\" --threads 1";
-    let program = command([]).get_program().to_owned();
-    let mut limited = std::process::Command::new("sh");
-    limited.args(["-c", line]).arg(program).args([scratch.path("plan.toml"), scratch.path("out")]);
-    let (code, out, message) = said(&limited.output().unwrap());
+    let (plan, out) = (scratch.path("plan.toml"), scratch.path("out"));
+    let asked = ["sweep", &plan, "-o", &out, "--threads", "1"];
+    let (code, out, message) = said(&limited("trap '' XFSZ; ulimit -f 8", asked));
     assert_eq!((code, out.as_str()), (Some(3), ""), "{message}");
     assert!(message.starts_with("couplet: cannot write "), "{message}");
     assert_eq!(message.lines().count(), 1, "{message}");

@@ -2,6 +2,7 @@
 //! the crown moment is a concave function of the thrust, and the thickness is halved.
 
 use super::{equal, found, joints};
+use crate::hard::random;
 use couplet::arch::SelfWeight;
 use couplet::certify::{VoussoirLimit, VoussoirStanding, Voussoirs, assess_voussoirs};
 use couplet::problem::Mode;
@@ -98,29 +99,17 @@ fn halved(steps: usize, mut inside: f64, mut outside: f64, is_so: impl Fn(f64) -
     inside
 }
 
-/// Deterministic numbers in `[0, 1)`.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-
 /// What is proved of arches of all modes is what the programme finds. Gives the modes met.
 fn agree(count: usize, seed: u64) -> Vec<Mode> {
-    let mut random = Random(seed);
+    let mut random = random(seed);
     let mut modes = Vec::new();
     for _ in 0..count {
-        let weight = SelfWeight::ALL[usize::from(random.next() < 0.5)];
-        let stones = 4 + (random.next() * random.next() * 196.0) as u64;
-        let alpha = format!("{:.6}", 0.3 + 2.5 * random.next());
-        let mu = match random.next() < 0.1 {
+        let weight = SelfWeight::ALL[usize::from(random() < 0.5)];
+        let stones = 4 + (random() * random() * 196.0) as u64;
+        let alpha = format!("{:.6}", 0.3 + 2.5 * random());
+        let mu = match random() < 0.1 {
             true => "inf".to_owned(),
-            false => format!("{:.6}", 3.0 * random.next() * random.next()),
+            false => format!("{:.6}", 3.0 * random() * random()),
         };
         let programme = Programme::new(stones, alpha.parse().unwrap(), weight, mu.parse().unwrap());
         let case = format!("{} {alpha} {mu} {stones}", weight.name());
@@ -163,16 +152,16 @@ fn a_programme_over_all_joints_finds_the_same_ten_thousand_times() {
 /// thrust, and the least friction.
 #[test]
 fn a_programme_finds_the_same_thrusts_and_friction() {
-    let mut random = Random(0x6c62_272e_07bb_0142);
+    let mut random = random(0x6c62_272e_07bb_0142);
     let (mut stood, mut fell, mut limits) = (0, 0, std::collections::BTreeSet::new());
     for _ in 0..250 {
-        let weight = SelfWeight::ALL[usize::from(random.next() < 0.5)];
-        let stones = 4 + (random.next() * random.next() * 90.0) as u64;
-        let alpha = format!("{:.6}", 0.3 + 2.4 * random.next());
-        let eta = format!("{:.6}", 0.02 + 1.9 * random.next() * random.next());
-        let mu = match random.next() < 0.2 {
+        let weight = SelfWeight::ALL[usize::from(random() < 0.5)];
+        let stones = 4 + (random() * random() * 90.0) as u64;
+        let alpha = format!("{:.6}", 0.3 + 2.4 * random());
+        let eta = format!("{:.6}", 0.02 + 1.9 * random() * random());
+        let mu = match random() < 0.2 {
             true => "inf".to_owned(),
-            false => format!("{:.6}", 0.1 + 2.0 * random.next() * random.next()),
+            false => format!("{:.6}", 0.1 + 2.0 * random() * random()),
         };
         let programme = Programme::new(stones, alpha.parse().unwrap(), weight, mu.parse().unwrap());
         let case = format!("{} {alpha} {mu} {stones} {eta}", weight.name());
