@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from . import _core
-from ._arches import _target, assess, state
+from ._arches import assess, state, target_of
 from ._asked import asked as _ask
 from ._asked import words
 from ._core import CoupletError
@@ -62,16 +62,13 @@ def states(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unp
         >>> grid["verdict"].tolist(), float(grid["thickness"][1, 0])
         ([[0, 1], [0, 0]], 0.052296358975188306)
     """
-    need_numpy()
-    import numpy as np
-
+    np = need_numpy()
     asked = _Asked(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
     kinds = [(name, np.uint8 if code else np.float64) for name, code in asked.fields()]
     # Aligned, so that every field can be used as it is.
     found = np.zeros(asked.size, dtype=np.dtype(kinds, align=True))
     asked.answer(found, batch["threads"], batch["progress"])
-    shaped: np.ndarray[Any, Any] = found.reshape(asked.shape)
-    return shaped
+    return found.reshape(asked.shape)  # type: ignore[no-any-return]
 
 
 @named(Batch)
@@ -81,9 +78,7 @@ def states_columns(half_opening: Any, friction: Any, thickness: Any = None, **ba
     ``pandas.DataFrame(...)``, ``polars.DataFrame(...)`` and ``pyarrow.table(...)`` take it as it is. The first columns are
     half_opening, friction and, where it is given, given_thickness.
     """
-    need_numpy()
-    import numpy as np
-
+    np = need_numpy()
     asked = _Asked(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
     found = {name: np.zeros(asked.size, np.uint8 if code else np.float64) for name, code in asked.fields()}
     asked.answer(found, batch["threads"], batch["progress"])
@@ -103,9 +98,8 @@ def states_frame(half_opening: Any, friction: Any, thickness: Any = None, **batc
     given = [columns[name] for name in ("half_opening", "friction", "given_thickness") if name in columns]
     why = _reasons(codes, given, batch["weight"])
     columns["verdict"] = pandas.Categorical.from_codes(codes, list(VERDICTS))
-    modes = columns["mode"].astype("int16")
-    modes[modes == 255] = -1
-    columns["mode"] = pandas.Categorical.from_codes(modes, _core.modes())
+    # 255 is -1, which is none.
+    columns["mode"] = pandas.Categorical.from_codes(columns["mode"].view("int8"), _core.modes())
     columns["reason"] = [why.get(row) for row in range(len(codes))]
     return pandas.DataFrame(columns)
 
@@ -143,16 +137,11 @@ def finds(
         >>> found.shape, float(found["value"][1, 1]) == couplet.find("half_opening", friction=0.5, thickness=0.2).value.double
         ((2, 2), True)
     """
-    need_numpy()
-    import numpy as np
-
+    np = need_numpy()
     whole(threads)
     given = {"half openings": half_opening, "frictions": friction, "thicknesses": thickness}
-    arrays = {name: _doubles(np, array, name) for name, array in given.items() if array is not None}
-    arrays = dict(zip(arrays, _broadcast(np, list(arrays.values()))))
-    shape = next(iter(arrays.values())).shape if arrays else ()
-    flat = {name: array.reshape(-1) for name, array in arrays.items()}
-    target = _target(what, modes)
+    shape, flat = _flat(np, {name: array for name, array in given.items() if array is not None})
+    target = target_of(what, modes)
     columns = [flat.get(name) for name in given]
     kinds = [("verdict", np.uint8), *((name, np.float64) for name in ("value", "value_lower", "value_upper"))]
     found = np.zeros(int(np.prod(shape)), dtype=np.dtype(kinds, align=True))
@@ -170,15 +159,7 @@ def finds(
             for row, (code, bounds, _) in enumerate(_ask(_core.finds, target, weight, rows, threads), begin):
                 found[row] = (code, *bounds)
             bar(begin + len(rows))
-    shaped: np.ndarray[Any, Any] = found.reshape(shape)
-    return shaped
-
-
-def _broadcast(np: Any, arrays: list[Any]) -> Any:
-    try:
-        return np.broadcast_arrays(*arrays)
-    except ValueError as error:
-        raise CoupletError(f"the arrays do not fit each other: {error}") from None
+    return found.reshape(shape)  # type: ignore[no-any-return]
 
 
 def reasons(
@@ -193,9 +174,7 @@ def reasons(
         >>> couplet.reasons(couplet.states(*arrays), *arrays)
         {1: 'the friction -1 is negative'}
     """
-    need_numpy()
-    import numpy as np
-
+    np = need_numpy()
     asked = _Asked(np, half_opening, friction, thickness, weight, None)
     if asked.shape != found.shape:
         raise CoupletError(f"the answers have the shape {found.shape}, and the questions {asked.shape}")
@@ -218,9 +197,12 @@ def _reasons(codes: Any, arrays: list[Any], weight: str) -> dict[int, str]:
     return why
 
 
-def need_numpy() -> None:
+def need_numpy() -> Any:
+    """NumPy, or one sentence."""
     try:
         import numpy
+
+        return numpy
     except ModuleNotFoundError as error:
         if error.name != "numpy":
             raise
@@ -233,13 +215,9 @@ class _Asked:
 
     def __init__(self, np: Any, half_opening: Any, friction: Any, thickness: Any, weight: str, quantities: Any) -> None:
         self.np, self.weight = np, weight
-        given = [("half openings", half_opening), ("frictions", friction)]
-        if thickness is not None:
-            given.append(("thicknesses", thickness))
-        arrays = [_doubles(np, array, what) for what, array in given]
-        arrays = _broadcast(np, arrays)
-        self.shape = arrays[0].shape
-        self.arrays = [array.reshape(-1) for array in arrays]
+        given = {"half openings": half_opening, "frictions": friction}
+        self.shape, flat = _flat(np, given if thickness is None else {**given, "thicknesses": thickness})
+        self.arrays = list(flat.values())
         self.size = self.arrays[0].size
         usual = "thickness" if thickness is None else "geometric_safety"
         names = [usual] if quantities is None else list(dict.fromkeys(words(quantities)))
@@ -268,6 +246,16 @@ class _Asked:
                 columns = [verdict, mode, *(bound for value in values for bound in value)]
                 for name, kind, column in zip(names, kinds, columns):
                     found[name][places] = np.frombuffer(column, kind)
+
+
+def _flat(np: Any, given: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
+    """The common shape of arrays of doubles, and each of them flat."""
+    arrays = [_doubles(np, array, what) for what, array in given.items()]
+    try:
+        arrays = np.broadcast_arrays(*arrays)
+    except ValueError as error:
+        raise CoupletError(f"the arrays do not fit each other: {error}") from None
+    return arrays[0].shape if arrays else (), {what: array.reshape(-1) for what, array in zip(given, arrays)}
 
 
 def _doubles(np: Any, values: Any, what: str) -> Any:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 
 from ._arrays import VERDICTS
-from ._asked import by_name, ranges, spoken, words
+from ._asked import FIELDS, ranged, spoken, texts_of, words
 from ._command import answer, options
 from ._command import run as _run
 from ._core import CoupletError, modes
+from ._exact import listed, of_numpy
 from ._named import Drawn, Paper, Values, named
 from ._sweeps import _Toml
 
@@ -27,11 +28,7 @@ if TYPE_CHECKING:
 
 
 class Picture:
-    """A picture, which a notebook shows. ``str()`` is its SVG.
-
-    Attributes:
-        svg: the picture as SVG.
-    """
+    """A picture, which a notebook shows. ``str()`` and the attribute ``svg`` are its SVG."""
 
     __slots__ = ("svg", "_words", "_threads")
 
@@ -62,18 +59,7 @@ class Picture:
 
 @named(Drawn)
 def draw(
-    half_opening: Range | None = None,
-    friction: Range | None = None,
-    *,
-    at: Landmark | LandmarkName | None = None,
-    mode: str | None = None,
-    along: tuple[str, str] | None = None,
-    amplitude: float | str | None = None,
-    dilatant: bool = False,
-    half: bool = False,
-    arrows: bool = False,
-    animate: bool = False,
-    **arch: Unpack[Drawn],
+    half_opening: Range | None = None, friction: Range | None = None, *, along: tuple[str, str] | None = None, **drawn: Unpack[Drawn]
 ) -> Picture:
     """An arch at its least thickness and how it falls there, or with a thickness as it stands; or those of a landmark.
 
@@ -98,11 +84,9 @@ def draw(
         >>> print(couplet.draw("80deg", "0.35", half=True, width="84mm").svg[:4])
         <svg
     """
-    texts = by_name(ranges({"half_opening": half_opening, "friction": friction, **arch}))
-    shown = {"at": at, "mode": mode, "dilatant": dilatant, "half": half, "arrows": arrows, "animate": animate}
+    texts, _ = texts_of(ranged({"half_opening": half_opening, "friction": friction, **drawn}))
     line = ["draw", *(["--along", *words(along)] if along else [])]
-    more = {name: value for name, value in arch.items() if name not in texts}
-    return _picture(line, {**texts, **more, **shown, "amplitude": _decimal(amplitude)})
+    return _picture(line, {**texts, **{name: value for name, value in drawn.items() if name not in FIELDS}})
 
 
 def _picture(line: list[str], named: dict[str, Any]) -> Picture:
@@ -122,7 +106,7 @@ def figure(number: int, *, weight: str | None = None, tolerance: float | str | N
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
     """
-    return _picture(["figure", str(number)], {"weight": weight, "tolerance": _decimal(tolerance), **paper})
+    return _picture(["figure", str(number)], {"weight": weight, "tolerance": tolerance, **paper})
 
 
 class _Lines(Paper, total=False):
@@ -171,12 +155,7 @@ def map(
     Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
     """
     line = ["map", *(["difference"] if difference else []), *(f"--mark={arch}" for arch in words(mark))]
-    return _picture(line, {"curve": curve, "weight": weight, "tolerance": _decimal(tolerance), **shown})
-
-
-def _decimal(value: float | str | None) -> str | None:
-    """A width, of which the decimal is what is meant."""
-    return value if value is None or isinstance(value, str) else repr(float(value))
+    return _picture(line, {"curve": curve, "weight": weight, "tolerance": tolerance, **shown})
 
 
 def _told(line: list[str], named: dict[str, Any], threads: int = 0) -> Any:
@@ -227,8 +206,7 @@ class Curve:
     def to_dict(self) -> dict[str, Any]:
         """All of it, for ``json.dumps``; what is not a number is None."""
         columns = {name: [None if x != x else x for x in array.tolist()] for name, array in self.columns.items()}
-        names = ("name", "weight", "parameter", "ends", "gaps", "widest_tube")
-        return {**{name: getattr(self, name) for name in names}, "ends": list(self.ends), "columns": columns}
+        return {**{name: getattr(self, name) for name in self.__slots__}, "ends": list(self.ends), "columns": columns}
 
 
 def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "1e-4", threads: int = 0) -> Curve:
@@ -246,7 +224,7 @@ def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "
         >>> bool((line["friction_lower"][1:-1] <= line["friction_upper"][1:-1]).all()), line.parameter
         (True, 'half_opening')
     """
-    curves = _told(["map"], {"curve": name, "weight": weight, "tolerance": _decimal(tolerance)}, threads)["curves"]
+    curves = _told(["map"], {"curve": name, "weight": weight, "tolerance": tolerance}, threads)["curves"]
     if len(curves) != 1:
         raise CoupletError("one curve at a time, of one weight")
     return Curve(curves[0])
@@ -257,8 +235,6 @@ class Judged:
 
     Attributes:
         rows: the dictionaries: ``verdict``, ``accepted``, ``reason``, ``numbers`` with errors and digits of each number, …
-        accepted: how many rows are accepted.
-        verdicts: how many rows have which verdict.
     """
 
     __slots__ = ("rows",)
@@ -383,17 +359,13 @@ def _columns(rows: Any) -> dict[str, list[Any]]:
     names = rows.keys() if names is None else names
     table = {}
     for name in names:
-        column = rows[name]
-        to_list = getattr(column, "tolist", None) or getattr(column, "to_list", None) or getattr(column, "to_pylist", None)
-        table[str(name)] = [_cell(value) for value in (to_list() if to_list else column)]
+        table[str(name)] = [_cell(value) for value in listed(rows[name])]
     return table
 
 
 def _cell(value: Any) -> Any:
     """A cell: doubles with all their digits; no other number loses any."""
-    if hasattr(value, "item"):
-        # Of NumPy.
-        value = value.item()
+    value = of_numpy(value)
     return repr(value) if type(value) is float else "" if value is None else value
 
 

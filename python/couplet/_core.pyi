@@ -5,65 +5,33 @@ from pathlib import Path
 from typing import Any, Final
 
 __all__ = [
-    "CoupletError",
-    "UndecidedError",
-    "__version__",
-    "assess",
-    "certify_arch",
-    "certify_asymmetric",
-    "certify_landmark",
-    "check",
-    "claims",
-    "command",
-    "constants",
-    "fields",
-    "find",
-    "finds",
-    "is_range",
-    "modes",
-    "prove",
-    "quantity",
-    "run",
-    "state",
-    "states",
-    "surveyed",
-    "sweep_begin",
-    "sweep_part",
-    "sweep_survey",
-    "sweep_verify",
-    "table",
-    "tilted",
-    "unanswered",
+    "CoupletError", "UndecidedError", "__version__", "assess", "certify_arch", "certify_asymmetric", "certify_landmark",
+    "check", "claims", "command", "constants", "fields", "find", "finds", "modes", "prove", "quantity", "run", "state",
+    "states", "surveyed", "sweep_begin", "sweep_part", "sweep_survey", "sweep_verify", "table", "tilted", "unanswered",
     "voussoirs",
-]
+]  # fmt: skip
 
 __version__: Final[str]
 
-#: The half opening and the friction of an arch, and what else there is.
-_Texts = tuple[str | None, str | None, list[str | None] | None]
+#: The texts of an arch, by the names of its fields.
+_Texts = dict[str, str]
+#: A path, and the k-th of n shares.
+_Path = str | PathLike[str]
+_Share = tuple[int, int]
 
 class CoupletError(ValueError): ...
 class UndecidedError(ArithmeticError): ...
 
 def modes() -> list[str]: ...
 def quantity(name: str) -> str: ...
-def constants(
-    landmarks: list[str], weight: str, names: list[str], digits: str, threads: int
-) -> list[dict[str, Any]]: ...
+def constants(landmarks: list[str], weight: str, names: list[str], digits: str, threads: int) -> list[dict[str, Any]]: ...
 def fields() -> list[str]: ...
-def is_range(text: str) -> bool: ...
 def state(weight: str, texts: _Texts, digits: str, frictions: bool) -> dict[str, Any]: ...
 def assess(weight: str, texts: _Texts, digits: str) -> dict[str, Any]: ...
 def surveyed(question: str, weight: str, texts: _Texts, digits: str) -> str | None: ...
-def voussoirs(
-    question: str, weight: str, texts: _Texts, digits: str
-) -> tuple[str, list[list[dict[str, Any]]]]: ...
-def tilted(
-    weight: str, texts: _Texts, digits: str, command: str | None
-) -> tuple[str, dict[str, Any]]: ...
-def find(
-    target: tuple[str, str | None], weight: str, texts: _Texts, digits: str
-) -> dict[str, Any]: ...
+def voussoirs(question: str, weight: str, texts: _Texts, digits: str) -> tuple[str, list[list[dict[str, Any]]]]: ...
+def tilted(weight: str, texts: _Texts, digits: str, command: str | None) -> tuple[str, dict[str, Any]]: ...
+def find(target: tuple[str, str | None], weight: str, texts: _Texts, digits: str) -> dict[str, Any]: ...
 def finds(
     target: tuple[str, str | None], weight: str, rows: list[list[str | None]], threads: int
 ) -> list[tuple[int, list[float], str | None]]: ...
@@ -82,15 +50,7 @@ def table(
     weight: str, columns: list[str], cells: list[bytes | list[str]], names: list[str], threads: int
 ) -> tuple[bytes, bytes, list[tuple[bytes, bytes]], list[tuple[int, str]]]: ...
 def unanswered(name: str) -> str | None: ...
-def sweep_begin(
-    plan: bytes, base: str | PathLike[str], output: str | PathLike[str]
-) -> tuple[Path, list[str], list[str], list[str]]: ...
-def sweep_part(
-    folder: str | PathLike[str], base: str | PathLike[str], part: int, threads: int
-) -> tuple[int, int, int, int]: ...
-def sweep_survey(
-    folder: str | PathLike[str], base: str | PathLike[str], share: tuple[int, int], threads: int
-) -> list[tuple[int, int, tuple[int, int, int, int] | None]]: ...
-def sweep_verify(
-    folder: str | PathLike[str], base: str | PathLike[str], share: tuple[int, int], sample: int, threads: int
-) -> tuple[int, int, int, int, list[str]]: ...
+def sweep_begin(plan: bytes, base: _Path, output: _Path) -> tuple[Path, list[str], list[str], list[str]]: ...
+def sweep_part(folder: _Path, base: _Path, part: int, threads: int) -> tuple[int, int, int, int]: ...
+def sweep_survey(folder: _Path, base: _Path, share: _Share, threads: int) -> list[tuple[int, int, tuple[int, int, int, int] | None]]: ...
+def sweep_verify(folder: _Path, base: _Path, share: _Share, sample: int, threads: int) -> tuple[int, int, int, int, list[str]]: ...

@@ -10,11 +10,22 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from decimal import Decimal
     from fractions import Fraction
-    from typing import Union
+    from typing import Any, Union
 
     Exact = Union[str, int, float, Fraction, Decimal]
 
 _MOST_THREADS = 1024
+
+
+def of_numpy(value: Any) -> Any:
+    """What NumPy has, as Python has it; anything else as it is."""
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def listed(column: Any) -> Any:
+    """The members of a column of any library."""
+    lister = getattr(column, "tolist", None) or getattr(column, "to_list", None) or getattr(column, "to_pylist", None)
+    return lister() if lister else list(column)
 
 
 def exact(value: Exact, what: str) -> str:

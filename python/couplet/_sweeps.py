@@ -16,7 +16,7 @@ from . import _core
 from ._arrays import VERDICTS, Bar
 from ._asked import asked
 from ._core import CoupletError
-from ._exact import exact, is_text, no_text, text_of, whole
+from ._exact import exact, is_text, no_text, of_numpy, text_of, whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -64,8 +64,7 @@ class Swept:
 
     def to_dict(self) -> dict[str, Any]:
         """All of it, for ``json.dumps``."""
-        names = ("folder", "rows", "computed", "kept", "counts", "lost", "others")
-        return {name: getattr(self, name) for name in names}
+        return {name: getattr(self, name) for name in self.__slots__ if not name.startswith("_")}
 
     def verify(self, sample: int = 100, *, threads: int = 0) -> dict[str, Any]:
         """Looks through the parts: content, notes and inputs of each, and that no row is missing. ``sample`` rows are proved
@@ -291,9 +290,7 @@ class _Toml:
         self._value(number, name, value)
 
     def _value(self, number: int, name: str, value: Any) -> None:
-        if hasattr(value, "tolist"):
-            # Of NumPy.
-            value = value.tolist()
+        value = of_numpy(value)
         is_table = hasattr(value, "items")
         if not is_table and not isinstance(value, (list, tuple, range)):
             self.line += _plain(value)

@@ -39,8 +39,8 @@ pyo3::create_exception!(
 mod _core {
     #[pymodule_export]
     use super::asked::{
-        assess, claims, command, constants, fields, find, is_range, modes, prove, quantity_name,
-        run, state, surveyed, tilted, voussoirs,
+        assess, claims, command, constants, fields, find, modes, prove, quantity_name, run, state,
+        surveyed, tilted, voussoirs,
     };
     #[pymodule_export]
     use super::certified::{certify_arch, certify_asymmetric, certify_landmark, check};
