@@ -5,35 +5,22 @@ from __future__ import annotations
 import sys
 
 from ._core import CoupletError
-from ._exact import exact
+from ._exact import exact, listed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
-    from typing import Any, Optional, Protocol, Union
+    from typing import Any, Optional
 
     #: Doubles as an array or exact texts, and which of the cells have a value; None if all have.
     Cells = tuple[Any, Optional[Any]]
-
-    class Kind(Protocol):
-        """A kind of tables, over one of them."""
-
-        size: int
-        names: Any
-
-        def cells(self, name: str) -> Cells: ...
-        def words(self, codes: Any, words: Sequence[str]) -> Any: ...
-        def numbers(self, doubles: Any) -> Any: ...
-        def sides(self, sides: Any) -> Any: ...
-        def texts(self, codes: Any, words: Sequence[str]) -> Any: ...
-        def with_columns(self, columns: Mapping[str, Any]) -> Any: ...
 
 
 #: The codes of no word and of no side.
 NO_WORD, NO_SIDE = -1, -128
 
 
-def kind_of(data: Any) -> Union[Kind, None]:
+def kind_of(data: Any) -> Columns | None:
     """The kind of a table; None if it is none."""
     for library, frame in (("pandas", Pandas), ("polars", Polars)):
         module = sys.modules.get(library)
@@ -47,7 +34,7 @@ def kind_of(data: Any) -> Union[Kind, None]:
     return Columns(data) if hasattr(data, "keys") and hasattr(data, "__getitem__") and not hasattr(data, "columns") else None
 
 
-def _of_arrow(data: Any) -> Kind:
+def _of_arrow(data: Any) -> Columns:
     """What speaks Arrow's C interface, as a table of pyarrow, or of polars if that is there and pyarrow is not."""
     try:
         import pyarrow  # type: ignore[import-not-found, import-untyped, unused-ignore]
@@ -62,11 +49,12 @@ def _of_arrow(data: Any) -> Kind:
 
 
 class Columns:
-    """A dictionary of arrays, which has codes in place of words and of nothing."""
+    """A dictionary of arrays, which has codes in place of words and of nothing. Other kinds of tables have the same methods."""
 
-    def __init__(self, data: Mapping[str, Any]) -> None:
-        self.data, self.names = data, list(data)
-        self.size = next((len(column) for column in data.values() if hasattr(column, "__len__")), 0)
+    def __init__(self, data: Any) -> None:
+        self.data: Any = data
+        self.names: Any = list(data)
+        self.size: int = next((len(column) for column in data.values() if hasattr(column, "__len__")), 0)
 
     def cells(self, name: str) -> Cells:
         import numpy as np
@@ -104,7 +92,7 @@ class Columns:
         return {**self.data, **columns}
 
 
-class Pandas:
+class Pandas(Columns):
     """A frame of pandas."""
 
     def __init__(self, data: Any) -> None:
@@ -128,9 +116,6 @@ class Pandas:
     def words(self, codes: Any, words: Sequence[str]) -> Any:
         return self.pandas.Categorical.from_codes(codes, list(words))
 
-    def numbers(self, doubles: Any) -> Any:
-        return doubles
-
     def sides(self, sides: Any) -> Any:
         return self.pandas.arrays.IntegerArray(sides, sides == NO_SIDE)
 
@@ -142,7 +127,7 @@ class Pandas:
         return self.data.assign(**columns)
 
 
-class Polars:
+class Polars(Columns):
     """A frame of polars."""
 
     def __init__(self, data: Any) -> None:
@@ -162,29 +147,26 @@ class Polars:
         return _cells(None, column, name, present)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        return self._coded(codes, self.polars.Series(values=list(words), dtype=self.polars.Enum(words)))
+        return self.polars.Series(values=list(words), dtype=self.polars.Enum(words)).gather(self._coded(codes, NO_WORD))
 
-    def _coded(self, codes: Any, words: Any) -> Any:
+    def _coded(self, codes: Any, nothing: int) -> Any:
         series = self.polars.Series(codes)
-        return words.gather(series.set(series == NO_WORD, None) if (codes == NO_WORD).any() else series)
+        return series.set(series == nothing, None) if (codes == nothing).any() else series
 
     def numbers(self, doubles: Any) -> Any:
         return self.polars.Series(doubles, nan_to_null=True)
 
     def sides(self, sides: Any) -> Any:
-        series = self.polars.Series(sides)
-        return series.set(series == NO_SIDE, None) if (sides == NO_SIDE).any() else series
+        return self._coded(sides, NO_SIDE)
 
     def texts(self, codes: Any, words: Sequence[str]) -> Any:
-        if not words:
-            return self.polars.repeat(None, self.size, dtype=self.polars.String, eager=True)
-        return self._coded(codes, self.polars.Series(values=list(words), dtype=self.polars.String))
+        return self.polars.Series(values=list(words), dtype=self.polars.String).gather(self._coded(codes, NO_WORD))
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         return self.data.with_columns([column.alias(name) for name, column in columns.items()])
 
 
-class Arrow:
+class Arrow(Columns):
     """A table or a batch of pyarrow."""
 
     def __init__(self, data: Any) -> None:
@@ -210,19 +192,20 @@ class Arrow:
         return _cells(None, column, name, present)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        mask = codes == NO_WORD
-        indices = self.pyarrow.array(codes, mask=mask if mask.any() else None)
-        return self.pyarrow.DictionaryArray.from_arrays(indices, self.pyarrow.array(words, self.pyarrow.string())).dictionary_decode()
+        return self.pyarrow.array(words, self.pyarrow.string()).take(self._coded(codes, NO_WORD))
+
+    def _coded(self, codes: Any, nothing: int) -> Any:
+        mask = codes == nothing
+        return self.pyarrow.array(codes, mask=mask if mask.any() else None)
 
     def numbers(self, doubles: Any) -> Any:
         return self.pyarrow.array(doubles, self.pyarrow.float64(), from_pandas=True)
 
     def sides(self, sides: Any) -> Any:
-        mask = sides == NO_SIDE
-        return self.pyarrow.array(sides, self.pyarrow.int8(), mask=mask if mask.any() else None)
+        return self._coded(sides, NO_SIDE)
 
     def texts(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.words(codes, words) if words else self.pyarrow.nulls(self.size, self.pyarrow.string())
+        return self.words(codes, words)
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         schema = self.data.schema
@@ -249,8 +232,7 @@ def _cells(array: Any, values: Any, name: str, present: Any = None, kind: Any = 
                 return doubles, present
         elif array.dtype.kind not in "fOUT":
             raise _no_numbers(name, kind or array.dtype)
-    lister = getattr(values, "tolist", None) or getattr(values, "to_list", None) or getattr(values, "to_pylist", None)
-    given = lister() if lister else list(values)
+    given = listed(values)
     if present is None:
         present = np.fromiter((value is not None for value in given), bool, len(given))
         present = None if present.all() else present
