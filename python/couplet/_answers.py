@@ -378,13 +378,10 @@ class Decision:
         """All of the decision, for ``json.dumps``."""
         return dict(vars(self))
 
-    def _lasting(self) -> dict[str, Any]:
-        return {name: value for name, value in vars(self).items() if name != "seconds"}
-
     def __eq__(self, other: object) -> bool:
         if type(other) is not Decision:
             return NotImplemented
-        return self._lasting() == other._lasting()
+        return {**vars(self), "seconds": None} == {**vars(other), "seconds": None}
 
     def __hash__(self) -> int:
         return hash((self.id, self.verdict, self.as_printed))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from . import _core
 from ._answers import Assessment, Found, State, Survey, Tilted, Voussoirs
-from ._asked import asked, ranged, texts_of
+from ._asked import FIELDS, asked, ranged, texts_of
 from ._core import CoupletError
 from ._exact import text_of, whole
 from ._named import Arches, Beside, Certifiable, named
@@ -36,7 +36,9 @@ def state(half_opening: Range | None, friction: Range, *, frictions: bool = True
 @overload
 def state(half_opening: Range | None = None, *, friction: Range, frictions: bool = True, **arch: Unpack[Arches]) -> State | Survey: ...
 @overload
-def state(half_opening: Range | None = None, *, friction_angle: Range, frictions: bool = True, **arch: Unpack[Arches]) -> State | Survey: ...
+def state(
+    half_opening: Range | None = None, *, friction_angle: Range, frictions: bool = True, **arch: Unpack[Arches]
+) -> State | Survey: ...
 @named(Beside, Arches)
 def state(half_opening: Range | None = None, friction: Range | None = None, *, frictions: bool = True, **arch: Any) -> State | Survey:
     """The state of an arch at its least thickness, proved. A float is exactly the double that it is; text is exact.
@@ -58,8 +60,6 @@ def state(half_opening: Range | None = None, friction: Range | None = None, *, f
 
     Half opening, friction, span, rise and radius may be ranges, (least, largest), or text ('10m±2cm', '0.5..inf'). Then the
     answer is a ``Survey``: what is proved of every arch inside, without probability.
-
-    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
 
         >>> couplet.state("pi/2", "0.38", weight="heyman", digits=12)
         State(half_opening='pi/2', friction='0.38', weight='heyman', verdict='stands', mode='[s,r,r]', thickness='0.122191586363')
@@ -88,21 +88,20 @@ def assess(half_opening: Range | None, friction: Range, thickness: Range, **arch
 @overload
 def assess(half_opening: Range | None = None, *, friction: Range, thickness: Range, **arch: Unpack[Arches]) -> Assessment | Survey: ...
 @overload
-def assess(half_opening: Range | None = None, *, friction_angle: Range, thickness: Range, **arch: Unpack[Arches]) -> Assessment | Survey: ...
+def assess(
+    half_opening: Range | None = None, *, friction_angle: Range, thickness: Range, **arch: Unpack[Arches]
+) -> Assessment | Survey: ...
 @named(Beside, Arches)
 def assess(
     half_opening: Range | None = None, friction: Range | None = None, thickness: Range | None = None, **arch: Any
 ) -> Assessment | Survey:
-    """Whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear, proved. A float is
-    exactly the double that it is; text is exact.
+    """Whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear, proved.
 
     Args:
         thickness: t/r, above 0 and at most 2; of an arch in metres a length ('60cm'), or a ratio with its r ('0.12r').
         tilt: a horizontal acceleration, or the angle by which the ground is tilted: the answer is one of ``tilt``.
         half_opening, friction, friction_angle, stones, joints, span, rise, radius, measured_at, density, depth, weight, digits:
             as for ``state``; ranges too, also of the thickness.
-
-    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
 
         >>> a = couplet.assess("80deg", "0.6", "0.12", digits=8)
         >>> a.verdict, str(a.geometric_safety), a.least_thrust.limited_by
@@ -128,9 +127,7 @@ def assess(
 @overload
 def tilt(half_opening: Exact | None, friction: Exact, thickness: Exact, tilt: Exact = 0, **arch: Unpack[OfStones]) -> Tilted: ...
 @overload
-def tilt(
-    half_opening: Exact | None = None, *, friction: Exact, thickness: Exact, tilt: Exact = 0, **arch: Unpack[OfStones]
-) -> Tilted: ...
+def tilt(half_opening: Exact | None = None, *, friction: Exact, thickness: Exact, tilt: Exact = 0, **arch: Unpack[OfStones]) -> Tilted: ...
 @overload
 def tilt(
     half_opening: Exact | None = None, *, friction_angle: Exact, thickness: Exact, tilt: Exact = 0, **arch: Unpack[OfStones]
@@ -144,8 +141,6 @@ def tilt(
     Args:
         tilt: the acceleration over that of gravity ('0.1'), or the angle by which the ground is tilted ('5deg').
         thickness and others: as for ``assess``; of stones at most 2001.
-
-    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
 
         >>> couplet.tilt("pi/2", "0.6", "0.15", "5deg", digits=8)
         Tilted(half_opening='pi/2', friction='0.6', thickness='0.15', tilt='5deg', weight='milankovitch', verdict='stands', largest_tilt='0.14432644')
@@ -182,17 +177,14 @@ def voussoirs(
 
     Returns: an answer; of a range a list of answers.
 
-    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
-
         >>> couplet.voussoirs("pi/2", "0.6", 11, digits=8).thickness
         Certified('thickness', '0.10491034')
         >>> [str(arch.thickness) for arch in couplet.voussoirs("pi/2", "0.6", range(7, 10), digits=4)]
         ['0.09625', '0.1009', '0.1021']
     """
-    question = _Question("voussoirs", {"half_opening": half_opening, "friction": friction, "stones": stones, **arch})
-    if "tilt" in question.texts:
+    if arch["tilt"] is not None:
         raise CoupletError("tilt does not belong here: couplet.tilt tells of an arch of a thickness that is tilted")
-    found = question.of_stones()
+    found = _Question("voussoirs", {"half_opening": half_opening, "friction": friction, "stones": stones, **arch}).of_stones()
     return found if isinstance(stones, range) else found[0]
 
 
@@ -216,8 +208,7 @@ def find(
 def find(
     what: str, modes: str | Sequence[str] | None = None, *, half_opening: Exact | None = None, friction: Exact | None = None, **arch: Any
 ) -> Found:
-    """A question the other way round: the one answer, with the proof that there is no other. A float is exactly the double
-    that it is; text is exact.
+    """A question the other way round: the one answer, with the proof that there is no other.
 
     Args:
         what: 'half_opening', the widest that stands with a ``friction``; 'friction', the least with which a
@@ -226,8 +217,6 @@ def find(
         thickness: t/r, above 0 and at most 2, of an arch in metres a length; any if it is not given. Not of a boundary.
         half_opening, friction, friction_angle, span, rise, radius, measured_at, weight, digits: as for ``state``.
         stones, joints, tilt, density, depth: not here; the refusal says why.
-
-    Raises: CoupletError if an argument makes no sense, is missing, or does not belong there.
 
         >>> couplet.find("friction", half_opening="80deg", thickness="0.1", digits=10).value
         Certified('friction', '0.2573157331')
@@ -254,8 +243,8 @@ def certify(*, half_opening: Range | None = None, friction: Range, **arch: Unpac
 def certify(*, half_opening: Range | None = None, friction_angle: Range, **arch: Unpack[Certifiable]) -> str: ...
 @named(Beside, Certifiable)
 def certify(landmark: str | None = None, *, half_opening: Range | None = None, friction: Range | None = None, **arch: Any) -> str:
-    """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``). A float is
-    exactly the double that it is; text is exact.
+    """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``); an
+    UndecidedError if the proof does not succeed.
 
     With ranges, as of ``assess``, it is of the verdict on all arches inside (``couplet.survey-certificate/1``).
 
@@ -270,8 +259,6 @@ def certify(landmark: str | None = None, *, half_opening: Range | None = None, f
         weight, digits: as for ``state``; of a landmark up to 1,000,000.
         threads: threads to compute a landmark with, or the arches that decide for all; 0 for one on each core.
 
-    Raises: CoupletError if an argument makes no sense; UndecidedError if the proof does not succeed.
-
         >>> made = couplet.certify(half_opening="2.3", friction="1.05", asymmetric=True, digits=12)
         >>> couplet.check(made, engine="mpfr").verdict
         'accepted'
@@ -279,13 +266,14 @@ def certify(landmark: str | None = None, *, half_opening: Range | None = None, f
         >>> couplet.check(all_of_them).summary
         'all arches stand (an admissible symmetric state exists): half_opening 13/30 pi..4/9 pi thickness 1/10..3/25 friction 3/5 milankovitch  by 1 arch'
     """
-    question = _Question("certify", ranged({"half_opening": half_opening, "friction": friction, **arch}))
-    weight, texts, digits = question.words
     asymmetric, threads = arch["asymmetric"], arch["threads"]
+    values = {"half_opening": half_opening, "friction": friction, **arch}
     if landmark is not None:
-        if asymmetric is not False or texts:
+        if asymmetric is not False or any(values[name] is not None for name in FIELDS):
             raise CoupletError("a half opening, a friction, a thickness and asymmetric belong to an arch, not to a landmark")
-        return asked(_core.certify_landmark, landmark, weight, digits, whole(threads))
+        return asked(_core.certify_landmark, landmark, arch["weight"], text_of(arch["digits"]), whole(threads))
+    question = _Question("certify", ranged(values))
+    weight, texts, digits = question.words
     if texts.keys().isdisjoint(("half_opening", "span", "rise", "joints")):
         raise CoupletError("a landmark, or a half opening and a friction, are missing")
     if asymmetric is False:

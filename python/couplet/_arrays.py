@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
+
 from . import _core
 from ._arches import assess, state, target_of
-from ._asked import asked as _ask
-from ._asked import words
+from ._asked import asked, words
 from ._core import CoupletError
 from ._exact import exact, whole
 from ._named import Batch, named
@@ -13,7 +14,7 @@ from ._rows import in_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
     from typing import Any, Literal
 
     import numpy as np
@@ -21,9 +22,6 @@ if TYPE_CHECKING:
 
 #: What ``verdict`` is a place in. An arch with a thickness stands or falls with it; one without, at some or at none.
 VERDICTS: tuple[str, ...] = ("stands", "falls", "undecided", "refused")
-
-# Searches that are done before Python is asked for its signals.
-_SEARCHES = 512
 
 
 @named(Batch)
@@ -63,12 +61,11 @@ def states(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unp
         ([[0, 1], [0, 0]], 0.052296358975188306)
     """
     np = need_numpy()
-    asked = _Asked(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
-    kinds = [(name, np.uint8 if code else np.float64) for name, code in asked.fields()]
+    rows = _Rows(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
     # Aligned, so that every field can be used as it is.
-    found = np.zeros(asked.size, dtype=np.dtype(kinds, align=True))
-    asked.answer(found, batch["threads"], batch["progress"])
-    return found.reshape(asked.shape)  # type: ignore[no-any-return]
+    found = np.zeros(rows.size, dtype=np.dtype(rows.kinds, align=True))
+    rows.answer(found, batch["threads"], batch["progress"])
+    return found.reshape(rows.shape)  # type: ignore[no-any-return]
 
 
 @named(Batch)
@@ -79,10 +76,10 @@ def states_columns(half_opening: Any, friction: Any, thickness: Any = None, **ba
     half_opening, friction and, where it is given, given_thickness.
     """
     np = need_numpy()
-    asked = _Asked(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
-    found = {name: np.zeros(asked.size, np.uint8 if code else np.float64) for name, code in asked.fields()}
-    asked.answer(found, batch["threads"], batch["progress"])
-    given = zip(("half_opening", "friction", "given_thickness"), asked.arrays)
+    rows = _Rows(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
+    found = {name: np.zeros(rows.size, kind) for name, kind in rows.kinds}
+    rows.answer(found, batch["threads"], batch["progress"])
+    given = zip(("half_opening", "friction", "given_thickness"), rows.arrays)
     return {**{name: np.array(array) for name, array in given}, **found}
 
 
@@ -147,18 +144,20 @@ def finds(
     found = np.zeros(int(np.prod(shape)), dtype=np.dtype(kinds, align=True))
     # Of a question that makes no sense, whatever the numbers, the first row says so.
     names = [None if column is None else "1" for column in columns]
-    code, _, why = _ask(_core.finds, target, weight, [names], 1)[0]
+    code, _, why = asked(_core.finds, target, weight, [names], 1)[0]
     if code == FOUND.index("refused"):
         raise CoupletError(str(why))
-    with Bar(progress, found.size) as bar:
-        for begin in range(0, found.size, _SEARCHES):
-            rows = [
-                [None if column is None else exact(column[row].item(), "number") for column in columns]
-                for row in range(begin, min(begin + _SEARCHES, found.size))
-            ]
-            for row, (code, bounds, _) in enumerate(_ask(_core.finds, target, weight, rows, threads), begin):
-                found[row] = (code, *bounds)
-            bar(begin + len(rows))
+
+    def ask(here: Any) -> Any:
+        texts = [
+            [None] * (here.stop - here.start) if column is None else [exact(x, "number") for x in column[here].tolist()]
+            for column in columns
+        ]
+        return asked(_core.finds, target, weight, list(map(list, zip(*texts))), threads)
+
+    with telling(progress, found.size) as tell:
+        for here, told in in_pieces(np, None, found.size, ask, tell):
+            found[here] = [(code, *bounds) for code, bounds, _ in told]
     return found.reshape(shape)  # type: ignore[no-any-return]
 
 
@@ -175,13 +174,13 @@ def reasons(
         {1: 'the friction -1 is negative'}
     """
     np = need_numpy()
-    asked = _Asked(np, half_opening, friction, thickness, weight, None)
-    if asked.shape != found.shape:
-        raise CoupletError(f"the answers have the shape {found.shape}, and the questions {asked.shape}")
-    why = _reasons(found["verdict"].reshape(-1), asked.arrays, weight)
+    rows = _Rows(np, half_opening, friction, thickness, weight, None)
+    if rows.shape != found.shape:
+        raise CoupletError(f"the answers have the shape {found.shape}, and the questions {rows.shape}")
+    why = _reasons(found["verdict"].reshape(-1), rows.arrays, weight)
     if found.ndim == 1:
         return dict(why)
-    return {tuple(map(int, np.unravel_index(row, asked.shape))): reason for row, reason in why.items()}
+    return {tuple(map(int, np.unravel_index(row, rows.shape))): reason for row, reason in why.items()}
 
 
 def _reasons(codes: Any, arrays: list[Any], weight: str) -> dict[int, str]:
@@ -210,7 +209,12 @@ def need_numpy() -> Any:
         raise ModuleNotFoundError(message, name="numpy") from None
 
 
-class _Asked:
+def asked_for(quantities: str | Sequence[str] | None, has_thickness: bool) -> list[str]:
+    """The names of what is computed: those that are given, or what is usual."""
+    return words(quantities if quantities is not None else "geometric_safety" if has_thickness else "thickness")
+
+
+class _Rows:
     """Arrays of one shape, flat, and what is asked of each row."""
 
     def __init__(self, np: Any, half_opening: Any, friction: Any, thickness: Any, weight: str, quantities: Any) -> None:
@@ -219,32 +223,27 @@ class _Asked:
         self.shape, flat = _flat(np, given if thickness is None else {**given, "thicknesses": thickness})
         self.arrays = list(flat.values())
         self.size = self.arrays[0].size
-        usual = "thickness" if thickness is None else "geometric_safety"
-        names = [usual] if quantities is None else list(dict.fromkeys(words(quantities)))
+        names = list(dict.fromkeys(asked_for(quantities, thickness is not None)))
         empty = (b"", b"", None if thickness is None else b"")
         # Nothing is computed before every name is known, nor under a name of the paper.
-        _ask(_core.states, weight, empty, names, 1)
+        asked(_core.states, weight, empty, names, 1)
         self.names = list(dict.fromkeys(_core.quantity(name) for name in names))
-
-    def fields(self) -> list[tuple[str, bool]]:
-        """The names of what is answered, and whether it is a code."""
-        values = [(name + end, False) for name in self.names for end in ("", "_lower", "_upper")]
-        return [("verdict", True), ("mode", True), *values]
+        # What is answered, and what it is.
+        values = [(name + end, np.float64) for name in self.names for end in ("", "_lower", "_upper")]
+        self.kinds = [("verdict", np.uint8), ("mode", np.uint8), *values]
 
     def answer(self, found: Any, threads: int, progress: Any) -> None:
         """Writes every field, some rows at a time."""
         np, threads = self.np, whole(threads)
-        names = [name for name, _ in self.fields()]
-        kinds = [np.uint8] * 2 + [np.float64] * (3 * len(self.names))
 
         def ask(places: Any) -> Any:
             part = [array[places].tobytes() for array in self.arrays]
             return _core.states(self.weight, (part[0], part[1], part[2] if len(part) > 2 else None), self.names, threads)
 
-        with Bar(progress, self.size) as bar:
-            for places, (verdict, mode, values) in in_pieces(np, self.arrays[0], self.size, ask, bar):
+        with telling(progress, self.size) as tell:
+            for places, (verdict, mode, values) in in_pieces(np, self.arrays[0], self.size, ask, tell):
                 columns = [verdict, mode, *(bound for value in values for bound in value)]
-                for name, kind, column in zip(names, kinds, columns):
+                for (name, kind), column in zip(self.kinds, columns):
                     found[name][places] = np.frombuffer(column, kind)
 
 
@@ -277,28 +276,16 @@ def _doubles(np: Any, values: Any, what: str) -> Any:
     raise CoupletError(f"the {what} are no doubles but {array.dtype}; couplet.state takes exact text and fractions")
 
 
-class Bar:
-    """Tells progress, or does not."""
-
-    def __init__(self, progress: Any, size: int) -> None:
-        self.tell: Any = progress if callable(progress) else None
-        self.size, self.bar = size, None
-        if progress and not callable(progress):
-            try:
-                from tqdm.auto import tqdm  # type: ignore[import-not-found, import-untyped, unused-ignore]
-            except ImportError:
-                return
-            self.bar = tqdm(total=size, unit=" arches")
-
-    def __enter__(self) -> Bar:
-        return self
-
-    def __call__(self, done: int) -> None:
-        if self.bar is not None:
-            self.bar.update(done - self.bar.n)
-        elif self.tell is not None:
-            self.tell(done, self.size)
-
-    def __exit__(self, *error: object) -> None:
-        if self.bar is not None:
-            self.bar.close()
+@contextmanager
+def telling(progress: Any, size: int) -> Iterator[Callable[[int], object]]:
+    """What is told how many rows are done: what was given, or a bar if tqdm is there, or nothing."""
+    if progress and not callable(progress):
+        try:
+            from tqdm.auto import tqdm  # type: ignore[import-not-found, import-untyped, unused-ignore]
+        except ImportError:
+            pass
+        else:
+            with tqdm(total=size, unit=" arches") as bar:
+                yield lambda done: bar.update(done - bar.n)
+            return
+    yield lambda done: progress(done, size) if callable(progress) else None

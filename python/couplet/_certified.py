@@ -89,12 +89,9 @@ class Certified:
 
     def to_dict(self) -> dict[str, Any]:
         """All of the value, for ``json.dumps``: digits and doubles; what is infinite is the text ``'inf'``."""
-        text, text_lower, text_upper, *doubles, exact, limited_by = self._told
-        double, lower, upper = ("inf" if number == float("inf") else number for number in doubles)
-        told: dict[str, Any] = {"text": text, "text_lower": text_lower, "text_upper": text_upper}
-        told |= {"double": double, "lower": lower, "upper": upper, "unit": self.unit}
-        told |= {"exact": exact, "limited_by": limited_by}
-        return {name: value for name, value in told.items() if value is not None}
+        names = ("text", "text_lower", "text_upper", "double", "lower", "upper", "unit", "exact", "limited_by")
+        told = zip(names, (*self._told[:6], self.unit, *self._told[6:]))
+        return {name: "inf" if value == float("inf") else value for name, value in told if value is not None}
 
     def decimal(self) -> Decimal:
         """The text as a decimal.Decimal, which is exactly that."""

@@ -61,7 +61,8 @@ class Picture:
 def draw(
     half_opening: Range | None = None, friction: Range | None = None, *, along: tuple[str, str] | None = None, **drawn: Unpack[Drawn]
 ) -> Picture:
-    """An arch at its least thickness and how it falls there, or with a thickness as it stands; or those of a landmark.
+    """An arch at its least thickness and how it falls there, or with a thickness as it stands; or those of a landmark; an
+    UndecidedError if there is nothing to draw, or nothing is proved.
 
     Args:
         half_opening and others: as for ``state``; with thickness as for ``assess``, with ranges too: then the bands in which the lines of
@@ -79,8 +80,6 @@ def draw(
         full_caption: all the words below; no_caption, no_title: without them, and without the headings above.
         threads: threads to compute with; 0 for one on each core.
 
-    Raises: CoupletError if an argument makes no sense; UndecidedError if there is nothing to draw, or nothing is proved.
-
         >>> print(couplet.draw("80deg", "0.35", half=True, width="84mm").svg[:4])
         <svg
     """
@@ -97,14 +96,12 @@ def _picture(line: list[str], named: dict[str, Any]) -> Picture:
 
 @named(Paper)
 def figure(number: int, *, weight: str | None = None, tolerance: float | str | None = None, **paper: Unpack[Paper]) -> Picture:
-    """A figure of the paper, 1 to 12, drawn from proved curves and states.
+    """A figure of the paper, 1 to 12, drawn from proved curves and states; an UndecidedError if one is not proved.
 
     Args:
         weight: the model of self-weight, 'heyman' or 'milankovitch'; of the figures 2 to 5 both if none is named.
         tolerance: of the figures 2 to 6, the largest half-width of a tube, from 1e-12 to 1; 1e-4 if it is not given.
         width, font_size, font, full_caption, no_caption, no_title, threads: as for ``draw``.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
     """
     return _picture(["figure", str(number)], {"weight": weight, "tolerance": tolerance, **paper})
 
@@ -137,7 +134,7 @@ def map(
     difference: bool = False,
     **shown: Unpack[_Lines],
 ) -> Picture:
-    """The map of the modes, from curves that are proved for every value of their parameter.
+    """The map of the modes, from curves that are proved for every value of their parameter; an UndecidedError if one is not.
 
     Args:
         curve: only these curves (see ``curve``); all if none is named.
@@ -151,8 +148,6 @@ def map(
         half_opening_unit, friction_unit, scale: 'deg', 'rad' or 'A'; 'deg', 'rad' or 'mu'; 'linear' or 'log'.
         half_opening_range, friction_range, thickness_range: what is shown ('120..160').
         width, font_size, font, full_caption, no_caption, no_title, threads: as for ``draw``.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
     """
     line = ["map", *(["difference"] if difference else []), *(f"--mark={arch}" for arch in words(mark))]
     return _picture(line, {"curve": curve, "weight": weight, "tolerance": tolerance, **shown})
@@ -190,8 +185,8 @@ class Curve:
         self.ends, self.gaps, self.widest_tube = (told["from"], told["to"]), told["gaps"], told["widest_tube"]
         nodes = told["nodes"]
         names = [name for name in nodes[0] if name not in ("end", "proved")]
-        numbers = {name: [np.nan if node[name] is None else float(node[name]) for node in nodes] for name in names}
-        self.columns: dict[str, np.ndarray[Any, Any]] = {name: np.array(column) for name, column in numbers.items()}
+        # None is not a number.
+        self.columns: dict[str, np.ndarray[Any, Any]] = {name: np.array([node[name] for node in nodes], float) for name in names}
         self.columns["proved"] = np.array([bool(node["proved"]) for node in nodes])
 
     def __getitem__(self, name: str) -> np.ndarray[Any, Any]:
@@ -210,15 +205,13 @@ class Curve:
 
 
 def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "1e-4", threads: int = 0) -> Curve:
-    """A curve of the map as arrays with bounds (needs NumPy).
+    """A curve of the map as arrays with bounds (needs NumPy); an UndecidedError if it is not proved.
 
     Args:
         name: 'rotation', 'overturning', 'sliding'; two modes that meet ('rrr/srr'); 'limit', where the thickness reaches 2.
         weight: the model of self-weight, 'heyman' or 'milankovitch'.
         tolerance: the largest half-width of a tube, from 1e-12 to 1.
         threads: threads to compute with; 0 for one on each core.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if it is not proved.
 
         >>> line = couplet.curve("rrr/srr", tolerance=1e-3)
         >>> bool((line["friction_lower"][1:-1] <= line["friction_upper"][1:-1]).all()), line.parameter
@@ -386,8 +379,6 @@ def sample(count: int = 100, *, hard: bool = False, assemblies: bool = False, se
     ``friction_double``, ``math.inf`` where it is unlimited; ``family``, the kind. Of ``assemblies`` stones next to a threshold
     instead, two for each of the count, as in docs/assemblies.md.
 
-    Raises: CoupletError if an argument makes no sense.
-
         >>> arch = couplet.sample(1)[0]
         >>> couplet.state(arch["half_opening"], arch["friction"], weight=arch["weight"], digits=6).verdict
         'stands'
@@ -405,15 +396,14 @@ def sample(count: int = 100, *, hard: bool = False, assemblies: bool = False, se
 
 
 def audit(*, only: Landmark | LandmarkName | Sequence[Landmark | LandmarkName] | None = None, weight: str = "both") -> dict[str, Any]:
-    """Every number the paper prints, and its claims on the two weights, against certified values: ``couplet.audit/2``.
+    """Every number the paper prints, and its claims on the two weights, against certified values: ``couplet.audit/2``; an
+    UndecidedError if something is not proved.
 
     Args:
         only: the numbers of these landmarks alone.
         weight: 'heyman', 'milankovitch' or 'both'.
 
     Returns: a dictionary with ``printed``, a list of numbers with their verdicts, and ``comparisons``.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if something is not proved.
 
         >>> [number["verdict"] for number in couplet.audit(only="T", weight="heyman")["printed"]][:3]
         ['wrong', 'faithful', 'correctly rounded']
@@ -423,7 +413,7 @@ def audit(*, only: Landmark | LandmarkName | Sequence[Landmark | LandmarkName] |
 
 @named(Values)
 def equation(number: int, *, half_opening: Exact | None = None, **values: Unpack[Values]) -> dict[str, Any]:
-    """An equation of the paper, (2) to (18), at given values: ``couplet.equation/1``.
+    """An equation of the paper, (2) to (18), at given values: ``couplet.equation/1``; an UndecidedError if something is not proved.
 
     Args:
         number: of the equation; (7) to (12) are at a rotational joint.
@@ -431,8 +421,6 @@ def equation(number: int, *, half_opening: Exact | None = None, **values: Unpack
         thickness, thrust, opening_variable: eta, h and A = alpha cot(alpha/2), where the equation has them.
         weight: the model of self-weight, 'heyman' or 'milankovitch'.
         digits: significant digits, 1 to 1,000,000.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if something is not proved.
 
         >>> couplet.equation(12, rotation_joint="1.2", digits=5)["radicand"]["value"]
         '5.2334'
@@ -442,13 +430,12 @@ def equation(number: int, *, half_opening: Exact | None = None, **values: Unpack
 
 @named(Values)
 def states_of(friction: Exact | None = None, **values: Unpack[Values]) -> dict[str, Any]:
-    """All states that have one value, whatever their half opening: ``couplet.states_of/1``, with both branches of (9) to (11).
+    """All states that have one value, whatever their half opening: ``couplet.states_of/1``, with both branches of (9) to (11);
+    an UndecidedError if something is not proved.
 
     Args:
         friction: as for ``state``; unlimited if it is not given.
         rotation_joint, thrust, thickness, opening_variable: one of them.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if something is not proved.
 
         >>> [state["half_opening"]["value"] for state in couplet.states_of(rotation_joint=1, digits=5)["states"]]
         ['1.6921', '2.4677']

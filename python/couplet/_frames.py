@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 
 from . import _core
-from ._arrays import VERDICTS, need_numpy
-from ._asked import asked, spoken, words
+from ._arrays import VERDICTS, asked_for, need_numpy
+from ._asked import asked, spoken
 from ._core import CoupletError
 from ._exact import is_text, no_text, whole
 from ._kinds import NO_SIDE, NO_WORD, kind_of
@@ -97,8 +97,7 @@ class _Question:
         self.weight = _WEIGHTS[-1] if is_column else weight
         self.around, self.threads = around, threads
         self.has_thickness = "given_thickness" in roles
-        usual = "geometric_safety" if self.has_thickness else "thickness"
-        names = [usual] if quantities is None else words(quantities)
+        names = asked_for(quantities, self.has_thickness)
         self.quantities = list(dict.fromkeys(asked(_core.quantity, name) for name in names))
 
     def answered(self, data: Any) -> Any:
@@ -115,7 +114,7 @@ class _Question:
         name = type(data).__name__
         for method in _MAPS:
             if hasattr(data, method):
-                raise TypeError(f"a {name} is asked to map its batches: data.{method}(…) as in docs/python.md, \"Engines\"")
+                raise TypeError(f'a {name} is asked to map its batches: data.{method}(…) as in docs/python.md, "Engines"')
         kind = kind_of(data)
         if kind is None:
             raise TypeError(f"a table is a frame of pandas or polars, one of Arrow or a dictionary of arrays, not {name}")

@@ -13,7 +13,7 @@ from importlib import import_module
 from itertools import islice
 
 from . import _core
-from ._arrays import VERDICTS, Bar
+from ._arrays import VERDICTS, telling
 from ._asked import asked
 from ._core import CoupletError
 from ._exact import exact, is_text, no_text, of_numpy, text_of, whole
@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 
     #: A part, the counts of its verdicts if it was written, and otherwise what is wrong and whether that ends the sweep.
     Done = tuple[int, tuple[int, int, int, int] | None, str, bool]
-    Work = Callable[[int], Done]
+    #: What computes parts: of a folder, the one where its paths begin, the parts, so many workers.
+    Engine = Callable[[str, str, list[int], int], Iterator[Done]]
 
 #: Parts that are asked of an engine at a time, for each core: it is never without work, and holds few.
 _IN_FLIGHT = 4
@@ -140,7 +141,7 @@ def sweep(
             made.kept += 1
             made._add(there)
     done = 0
-    with Bar(progress, sum(rows.values())) as bar:
+    with telling(progress, sum(rows.values())) as tell:
         for part, counts, fault, ends in run(made.folder, base, list(rows), workers):
             if ends:
                 raise OSError(fault)
@@ -150,7 +151,7 @@ def sweep(
                 made.computed += 1
                 made._add(counts)
             done += rows[part]
-            bar(done)
+            tell(done)
     made.lost.sort()
     return made
 
@@ -165,9 +166,8 @@ def _part(folder: str, base: str, threads: int, part: int) -> Done:
         return part, None, str(error), True
 
 
-def _engine(engine: Any) -> Callable[[str, str, list[int], int], Iterator[Done]]:
-    known: dict[Any, Callable[[str, str, list[int], int], Iterator[Done]]]
-    known = {None: _threads, "processes": _processes, "ray": _ray, "dask": partial(_dask, None)}
+def _engine(engine: Any) -> Engine:
+    known: dict[Any, Engine] = {None: _threads, "processes": _processes, "ray": _ray, "dask": partial(_dask, None)}
     if hasattr(engine, "submit") and hasattr(engine, "scheduler_info"):
         return partial(_dask, engine)
     if engine is not None and not isinstance(engine, str) or engine not in known:
