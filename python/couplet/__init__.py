@@ -78,11 +78,8 @@ def constants(
         '0.679604732098885514787534896210'
     """
     names, threads = _asked.words(quantities), _exact.whole(threads)
-    told = _asked.asked(_core.constants, [landmark], weight, names, _exact.text_of(digits), threads)
-    if len(told) != 1:
-        raise CoupletError("one weight at a time: heyman or milankovitch")
-    given = (("landmark", told[0]["landmark"]), ("weight", told[0]["weight"]), ("digits", digits))
-    return Constants(given, told[0])
+    told = _asked.asked(_core.constants, landmark, weight, names, _exact.text_of(digits), threads)
+    return Constants((("landmark", told["landmark"]), ("weight", told["weight"]), ("digits", digits)), told)
 
 
 def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], *, engine: Literal["astro", "mpfr"] = "astro") -> Checked:

@@ -271,7 +271,7 @@ class Found(Answer):
     __slots__ = ()
     _more: tuple[str, ...] = ("modes", "proved", "some_may_move")
 
-    verdict = Told["Literal['found', 'nothing', 'undecided']"]("``'found'``, ``'nothing'`` or ``'undecided'``.")
+    verdict = Told["Literal['found', 'nothing', 'undecided']"]("``'found'``, ``'nothing'`` or ``'undecided'``.", at="search")
 
     @property
     def value(self) -> Certified | None:

@@ -225,9 +225,7 @@ def find(
     """
     question = _Question("find", {"half_opening": half_opening, "friction": friction, **arch})
     target = target_of(what, modes)
-    told = asked(_core.find, target, *question.words)
-    told["verdict"] = told["search"]
-    return Found((("modes", target[1]), *question.given), told)
+    return Found((("modes", target[1]), *question.given), asked(_core.find, target, *question.words))
 
 
 def target_of(what: str, modes: str | Sequence[str] | None) -> tuple[str, str | None]:

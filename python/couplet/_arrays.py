@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 #: What ``verdict`` is a place in. An arch with a thickness stands or falls with it; one without, at some or at none.
 VERDICTS: tuple[str, ...] = ("stands", "falls", "undecided", "refused")
+# The columns of what is asked.
+ASKED = ("half_opening", "friction", "given_thickness")
 
 
 @named(Batch)
@@ -79,8 +81,7 @@ def states_columns(half_opening: Any, friction: Any, thickness: Any = None, **ba
     rows = _Rows(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
     found = {name: np.zeros(rows.size, kind) for name, kind in rows.kinds}
     rows.answer(found, batch["threads"], batch["progress"])
-    given = zip(("half_opening", "friction", "given_thickness"), rows.arrays)
-    return {**{name: np.array(array) for name, array in given}, **found}
+    return {**{name: np.array(array) for name, array in zip(ASKED, rows.arrays)}, **found}
 
 
 @named(Batch)
@@ -92,8 +93,7 @@ def states_frame(half_opening: Any, friction: Any, thickness: Any = None, **batc
 
     columns: dict[str, Any] = dict(states_columns(half_opening, friction, thickness, **batch))
     codes = columns["verdict"]
-    given = [columns[name] for name in ("half_opening", "friction", "given_thickness") if name in columns]
-    why = _reasons(codes, given, batch["weight"])
+    why = _reasons(codes, [columns[name] for name in ASKED if name in columns], batch["weight"])
     columns["verdict"] = pandas.Categorical.from_codes(codes, list(VERDICTS))
     # 255 is -1, which is none.
     columns["mode"] = pandas.Categorical.from_codes(columns["mode"].view("int8"), _core.modes())
@@ -224,9 +224,9 @@ class _Rows:
         self.arrays = list(flat.values())
         self.size = self.arrays[0].size
         names = list(dict.fromkeys(asked_for(quantities, thickness is not None)))
-        empty = (b"", b"", None if thickness is None else b"")
+        self.columns = [f"{name}={name}" for name in ASKED[: len(flat)]]
         # Nothing is computed before every name is known, nor under a name of the paper.
-        asked(_core.states, weight, empty, names, 1)
+        asked(_core.table, weight, self.columns, [b""] * len(flat), names, 1)
         self.names = list(dict.fromkeys(_core.quantity(name) for name in names))
         # What is answered, and what it is.
         values = [(name + end, np.float64) for name in self.names for end in ("", "_lower", "_upper")]
@@ -237,11 +237,10 @@ class _Rows:
         np, threads = self.np, whole(threads)
 
         def ask(places: Any) -> Any:
-            part = [array[places].tobytes() for array in self.arrays]
-            return _core.states(self.weight, (part[0], part[1], part[2] if len(part) > 2 else None), self.names, threads)
+            return _core.table(self.weight, self.columns, [array[places].tobytes() for array in self.arrays], self.names, threads)
 
         with telling(progress, self.size) as tell:
-            for places, (verdict, mode, values) in in_pieces(np, self.arrays[0], self.size, ask, tell):
+            for places, (verdict, mode, values, _) in in_pieces(np, self.arrays[0], self.size, ask, tell):
                 columns = [verdict, mode, *(bound for value in values for bound in value)]
                 for (name, kind), column in zip(self.kinds, columns):
                     found[name][places] = np.frombuffer(column, kind)

@@ -339,9 +339,7 @@ def _table(rows: Any, columns: Mapping[str, str]) -> bytes:
 
 
 def _columns(rows: Any) -> dict[str, list[Any]]:
-    if isinstance(rows, (list, tuple)):
-        if not all(hasattr(row, "get") for row in rows):
-            raise TypeError("rows are a frame, a dictionary of columns, a list of dictionaries or the path of a file")
+    if isinstance(rows, (list, tuple)) and all(hasattr(row, "get") for row in rows):
         keys = dict.fromkeys(name for row in rows for name in row)
         return {str(name): [_cell(row.get(name)) for row in rows] for name in keys}
     # Of Arrow; of pandas and polars; of NumPy.
@@ -350,10 +348,7 @@ def _columns(rows: Any) -> dict[str, list[Any]]:
     if names is None and not hasattr(rows, "keys"):
         raise TypeError("rows are a frame, a dictionary of columns, a list of dictionaries or the path of a file")
     names = rows.keys() if names is None else names
-    table = {}
-    for name in names:
-        table[str(name)] = [_cell(value) for value in listed(rows[name])]
-    return table
+    return {str(name): [_cell(value) for value in listed(rows[name])] for name in names}
 
 
 def _cell(value: Any) -> Any:

@@ -186,11 +186,13 @@ class _Answers:
 
     def put(self, here: Any, told: Any) -> None:
         """Puts down what is told of some rows."""
-        array = self.np.frombuffer
+        array, where = self.np.frombuffer, self.np.where
         verdicts, modes, values, reasons = told
         self.verdicts[here], self.modes[here] = array(verdicts, "i1"), array(modes, "i1")
-        for (numbers, sides), (doubles, around) in zip(self.values, values):
-            numbers[here], sides[here] = array(doubles, "f8"), array(around, "i1")
+        for (numbers, sides), bounds in zip(self.values, values):
+            doubles, lower, upper = (array(bound, "f8") for bound in bounds)
+            numbers[here] = doubles
+            sides[here] = where(lower >= doubles, where(upper <= doubles, 0, 1), where(upper <= doubles, -1, NO_SIDE))
         rows = range(self.size)[here] if isinstance(here, slice) else here
         for row, why in reasons:
             self.why[rows[row]] = self.reasons.setdefault(spoken(why), len(self.reasons))

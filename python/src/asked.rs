@@ -3,13 +3,12 @@
 
 use crate::pool::{on_one_thread, on_threads};
 use crate::{CoupletError, UndecidedError, told};
-use couplet::arch::SelfWeight;
 use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven, notes};
 use couplet::certify::quantities;
 use couplet::certify::state::{Balls, Certify};
 use couplet::cli::{self, doors};
 use couplet::door::find::{self as sought, FindTarget};
-use couplet::problem::{Arch, Landmark, Line, Mode, Quantity};
+use couplet::problem::{Arch, Line, Mode, Quantity};
 use couplet::report::{Answer, Claims, Extent, Format, Reported, Style, TiltDrawing, Understood};
 use couplet::sweep::failure::Failure;
 use couplet::sweep::{answer, parse, surveyed as survey};
@@ -48,33 +47,26 @@ pub(crate) fn modes() -> Vec<&'static str> {
 #[pyfunction]
 pub(crate) fn constants<'py>(
     py: Python<'py>,
-    landmarks: Vec<String>,
+    landmark: &str,
     weight: &str,
     names: Vec<String>,
     digits: &str,
     threads: usize,
-) -> PyResult<Vec<Bound<'py, PyDict>>> {
-    let read = |name: &String| parse::landmark(name).map_err(wrong);
-    let landmarks: Vec<Landmark> = match landmarks.is_empty() {
-        true => Landmark::ALL.to_vec(),
-        false => landmarks.iter().map(read).collect::<PyResult<_>>()?,
+) -> PyResult<Bound<'py, PyDict>> {
+    let landmark = parse::landmark(landmark).map_err(wrong)?;
+    let &[weight] = parse::weights(weight).map_err(wrong)? else {
+        return Err(wrong("one weight at a time: heyman or milankovitch"));
     };
-    let weights = parse::weights(weight).map_err(wrong)?;
     let wanted = names.iter().map(|name| parse::quantity(name).map_err(wrong));
     let wanted: Vec<Quantity> = wanted.collect::<PyResult<_>>()?;
     let digits = parse::digits(digits).map_err(wrong)?;
-    let is_wanted = move |of: &Quantity| wanted.is_empty() || wanted.contains(of);
-    let answer = move |(landmark, weight): (Landmark, SelfWeight)| {
-        let asked: Vec<_> =
-            quantities(landmark).filter(&is_wanted).map(|of| (of, digits)).collect();
+    let found = on_threads(py, threads, move || {
+        let is_wanted = |of: &Quantity| wanted.is_empty() || wanted.contains(of);
+        let asked: Vec<_> = quantities(landmark).filter(is_wanted).map(|of| (of, digits)).collect();
         let found = answer::landmark((landmark, weight), &asked);
         found.unwrap_or_else(|error| Answer::landmark((landmark, weight), Err(&error)))
-    };
-    let points: Vec<_> =
-        weights.iter().flat_map(|&weight| landmarks.iter().map(move |&of| (of, weight))).collect();
-    let found: Vec<Answer> =
-        on_threads(py, threads, move || points.into_par_iter().map(answer).collect())?;
-    found.iter().map(|found| told::answer(py, found)).collect()
+    })?;
+    told::answer(py, &found)
 }
 
 /// The texts of an arch, by the names of its fields.

@@ -5,7 +5,7 @@
 //! |---|---|
 //! | `asked` | one question at a time |
 //! | `certified` | certificates, and their check |
-//! | `rows` | many arches, in arrays of doubles |
+//! | `rows` | many searches |
 //! | `tables` | the rows of a table, in doubles or exact texts |
 //! | `told` | an answer as Python gets it |
 //! | `sweeps` | any number of arches, in Parquet files |
@@ -45,7 +45,7 @@ mod _core {
     #[pymodule_export]
     use super::certified::{certify_arch, certify_asymmetric, certify_landmark, check};
     #[pymodule_export]
-    use super::rows::{finds, states};
+    use super::rows::finds;
     #[cfg(feature = "parquet")]
     #[pymodule_export]
     use super::sweeps::{sweep_begin, sweep_part, sweep_survey, sweep_verify};
