@@ -24,10 +24,8 @@ def plain(value: Any) -> Any:
         return value.to_dict()
     if isinstance(value, dict):
         return {name: plain(inner) for name, inner in value.items()}
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, (list, tuple, range)):
         return [plain(inner) for inner in value]
-    if isinstance(value, range):
-        return list(value)
     if type(value) is int or type(value) is float and abs(value) < float("inf"):
         return value
     return exact(value, "number")

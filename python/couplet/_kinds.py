@@ -22,19 +22,20 @@ NO_WORD, NO_SIDE = -1, -128
 
 def kind_of(data: Any) -> Columns | None:
     """The kind of a table; None if it is none."""
-    for library, frame in (("pandas", Pandas), ("polars", Polars)):
-        module = sys.modules.get(library)
-        if module is not None and isinstance(data, module.DataFrame):
-            return frame(data)
-    pyarrow = sys.modules.get("pyarrow")
+    pandas, polars, pyarrow = map(sys.modules.get, ("pandas", "polars", "pyarrow"))
+    for library, frame in ((pandas, Pandas), (polars, Polars)):
+        if library is not None and isinstance(data, library.DataFrame):
+            return frame(data, list(data.columns), len(data), library)
     if pyarrow is not None and isinstance(data, (pyarrow.Table, pyarrow.RecordBatch)):
-        return Arrow(data)
+        return Arrow(data, data.schema.names, data.num_rows, pyarrow)
     if hasattr(data, "__arrow_c_stream__") or hasattr(data, "__arrow_c_array__"):
-        return _of_arrow(data)
-    return Columns(data) if hasattr(data, "keys") and hasattr(data, "__getitem__") and not hasattr(data, "columns") else None
+        return kind_of(_of_arrow(data))
+    if not hasattr(data, "keys") or not hasattr(data, "__getitem__") or hasattr(data, "columns"):
+        return None
+    return Columns(data, list(data), next((len(column) for column in data.values() if hasattr(column, "__len__")), 0), None)
 
 
-def _of_arrow(data: Any) -> Columns:
+def _of_arrow(data: Any) -> Any:
     """What speaks Arrow's C interface, as a table of pyarrow, or of polars if that is there and pyarrow is not."""
     try:
         import pyarrow  # type: ignore[import-not-found, import-untyped, unused-ignore]
@@ -44,17 +45,15 @@ def _of_arrow(data: Any) -> Columns:
         except ImportError:
             kind = type(data).__name__
             raise ModuleNotFoundError(f"a {kind} of Arrow is read by pyarrow or polars: pip install pyarrow", name="pyarrow") from None
-        return Polars(polars.DataFrame(data))
-    return Arrow(pyarrow.table(data) if hasattr(data, "__arrow_c_stream__") else pyarrow.record_batch(data))
+        return polars.DataFrame(data)
+    return pyarrow.table(data) if hasattr(data, "__arrow_c_stream__") else pyarrow.record_batch(data)
 
 
 class Columns:
     """A dictionary of arrays, which has codes in place of words and of nothing. Other kinds of tables have the same methods."""
 
-    def __init__(self, data: Any) -> None:
-        self.data: Any = data
-        self.names: Any = list(data)
-        self.size: int = next((len(column) for column in data.values() if hasattr(column, "__len__")), 0)
+    def __init__(self, data: Any, names: list[Any], size: int, library: Any) -> None:
+        self.data, self.names, self.size, self.library = data, names, size, library
 
     def cells(self, name: str) -> Cells:
         import numpy as np
@@ -95,13 +94,9 @@ class Columns:
 class Pandas(Columns):
     """A frame of pandas."""
 
-    def __init__(self, data: Any) -> None:
-        self.pandas: Any = sys.modules["pandas"]
-        self.data, self.names, self.size = data, list(data.columns), len(data)
-
     def cells(self, name: str) -> Cells:
         column = self.data[name]
-        if isinstance(column.dtype, self.pandas.CategoricalDtype):
+        if isinstance(column.dtype, self.library.CategoricalDtype):
             column = column.astype(column.cat.categories.dtype)
         kind = column.dtype
         if getattr(kind, "kind", "") in "fiu" and not hasattr(kind, "na_value"):
@@ -114,14 +109,14 @@ class Pandas(Columns):
         return _cells(column.to_numpy(dtype=object), column, name, present, kind)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.pandas.Categorical.from_codes(codes, list(words))
+        return self.library.Categorical.from_codes(codes, list(words))
 
     def sides(self, sides: Any) -> Any:
-        return self.pandas.arrays.IntegerArray(sides, sides == NO_SIDE)
+        return self.library.arrays.IntegerArray(sides, sides == NO_SIDE)
 
     def texts(self, codes: Any, words: Sequence[str]) -> Any:
         # One word more, as nothing is taken of nothing.
-        return self.pandas.array([*words, ""], dtype="string" if self.pandas.__version__ < "3" else "str").take(codes, allow_fill=True)
+        return self.library.array([*words, ""], dtype="string" if self.library.__version__ < "3" else "str").take(codes, allow_fill=True)
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         return self.data.assign(**columns)
@@ -130,37 +125,33 @@ class Pandas(Columns):
 class Polars(Columns):
     """A frame of polars."""
 
-    def __init__(self, data: Any) -> None:
-        self.polars: Any = sys.modules["polars"]
-        self.data, self.names, self.size = data, data.columns, data.height
-
     def cells(self, name: str) -> Cells:
         column = self.data.get_column(name)
         present = column.is_not_null().to_numpy() if column.null_count() else None
         kind = column.dtype
         if kind.is_float() or kind.is_integer() and "128" not in str(kind):
             return _cells(column.fill_null(0).to_numpy(), column, name, present)
-        if kind.is_numeric() or kind in (self.polars.String, self.polars.Categorical, self.polars.Enum, self.polars.Null):
-            column = column.cast(self.polars.String)
-        elif kind != self.polars.Object:
+        if kind.is_numeric() or kind in (self.library.String, self.library.Categorical, self.library.Enum, self.library.Null):
+            column = column.cast(self.library.String)
+        elif kind != self.library.Object:
             raise _no_numbers(name, kind)
         return _cells(None, column, name, present)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.polars.Series(values=list(words), dtype=self.polars.Enum(words)).gather(self._coded(codes, NO_WORD))
+        return self.library.Series(values=list(words), dtype=self.library.Enum(words)).gather(self._coded(codes, NO_WORD))
 
     def _coded(self, codes: Any, nothing: int) -> Any:
-        series = self.polars.Series(codes)
+        series = self.library.Series(codes)
         return series.set(series == nothing, None) if (codes == nothing).any() else series
 
     def numbers(self, doubles: Any) -> Any:
-        return self.polars.Series(doubles, nan_to_null=True)
+        return self.library.Series(doubles, nan_to_null=True)
 
     def sides(self, sides: Any) -> Any:
         return self._coded(sides, NO_SIDE)
 
     def texts(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.polars.Series(values=list(words), dtype=self.polars.String).gather(self._coded(codes, NO_WORD))
+        return self.library.Series(values=list(words), dtype=self.library.String).gather(self._coded(codes, NO_WORD))
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         return self.data.with_columns([column.alias(name) for name, column in columns.items()])
@@ -168,10 +159,6 @@ class Polars(Columns):
 
 class Arrow(Columns):
     """A table or a batch of pyarrow."""
-
-    def __init__(self, data: Any) -> None:
-        self.pyarrow: Any = sys.modules["pyarrow"]
-        self.data, self.names, self.size = data, data.schema.names, data.num_rows
 
     def cells(self, name: str) -> Cells:
         from pyarrow import compute, types  # type: ignore[import-not-found, import-untyped, unused-ignore]
@@ -183,23 +170,23 @@ class Arrow(Columns):
         kind = column.type
         if types.is_floating(kind) or types.is_integer(kind):
             if present is not None:
-                column = compute.fill_null(column, self.pyarrow.scalar(0, self.pyarrow.int8()).cast(kind))
+                column = compute.fill_null(column, self.library.scalar(0, self.library.int8()).cast(kind))
             return _cells(column.to_numpy(zero_copy_only=False), column, name, present)
         if types.is_decimal(kind):
-            column = column.cast(self.pyarrow.string())
+            column = column.cast(self.library.string())
         elif not (types.is_string(kind) or types.is_large_string(kind) or types.is_string_view(kind) or types.is_null(kind)):
             raise _no_numbers(name, kind)
         return _cells(None, column, name, present)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.pyarrow.array(words, self.pyarrow.string()).take(self._coded(codes, NO_WORD))
+        return self.library.array(words, self.library.string()).take(self._coded(codes, NO_WORD))
 
     def _coded(self, codes: Any, nothing: int) -> Any:
         mask = codes == nothing
-        return self.pyarrow.array(codes, mask=mask if mask.any() else None)
+        return self.library.array(codes, mask=mask if mask.any() else None)
 
     def numbers(self, doubles: Any) -> Any:
-        return self.pyarrow.array(doubles, self.pyarrow.float64(), from_pandas=True)
+        return self.library.array(doubles, self.library.float64(), from_pandas=True)
 
     def sides(self, sides: Any) -> Any:
         return self._coded(sides, NO_SIDE)
@@ -210,7 +197,7 @@ class Arrow(Columns):
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         schema = self.data.schema
         for name, column in columns.items():
-            schema = schema.append(self.pyarrow.field(name, column.type))
+            schema = schema.append(self.library.field(name, column.type))
         return type(self.data).from_arrays([*self.data.columns, *columns.values()], schema=schema)
 
 
