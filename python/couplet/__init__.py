@@ -7,23 +7,20 @@
 
 A number that is given is exact: text ("0.1", "1/3", "pi/2", "80deg"), int, Fraction and Decimal are what they say; **a float
 is exactly the double that it is**, so that 0.1 is not one tenth. Every answer has a verdict as a value, and
-``'undecided'`` is one of them; input that makes no sense is a CoupletError, a ValueError, in the words of the command.
+``'undecided'`` is one of them. An argument that makes no sense, is missing, or does not belong there is a CoupletError, a ValueError, in the
+words of the command; one that is no number is a TypeError. Where an answer has no verdict, what is not proved is an UndecidedError.
 """
 
 from __future__ import annotations
 
-from . import _core
+from . import _asked, _core, _exact
 from ._answers import Answer, Assessment, Checked, Constants, Decision, Found, State, Survey, Tilted, Voussoirs
 from ._arches import assess, certify, find, state, tilt, voussoirs
 from ._arrays import FOUND, VERDICTS, finds, reasons, states, states_columns, states_frame
-from ._asked import asked as _asked
-from ._asked import words as _words
 from ._certified import Certified
 from ._commands import Curve, Judged, Picture, Ran, audit, curve, draw, equation, figure, judge, run, sample, states_of
 from ._commands import map as map
 from ._core import CoupletError, UndecidedError, __version__
-from ._exact import text_of as _text_of
-from ._exact import whole as _whole
 from ._frames import add_states
 from ._sweeps import Swept, sweep
 
@@ -77,16 +74,12 @@ def constants(
         quantities: only these ('thickness', 'friction', ...); all if none is named.
         threads: threads to compute with; 0 for one on each core.
 
-    Raises: CoupletError if an argument makes no sense.
-
         >>> str(couplet.constants("T", "heyman")["thickness"])
         '0.679604732098885514787534896210'
     """
-    told = _asked(_core.constants, [landmark], weight, _words(quantities), _text_of(digits), _whole(threads))
-    if len(told) != 1:
-        raise CoupletError("one weight at a time: heyman or milankovitch")
-    given = (("landmark", told[0]["landmark"]), ("weight", told[0]["weight"]), ("digits", digits))
-    return Constants(given, told[0])
+    names, threads = _asked.words(quantities), _exact.whole(threads)
+    told = _asked.asked(_core.constants, landmark, weight, names, _exact.text_of(digits), threads)
+    return Constants((("landmark", told["landmark"]), ("weight", told["weight"]), ("digits", digits)), told)
 
 
 def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], *, engine: Literal["astro", "mpfr"] = "astro") -> Checked:
@@ -119,8 +112,8 @@ def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], 
             raise TypeError(f"a certificate is bytes, a str or the path of its file, not {kind}")
         from pathlib import Path
 
-        certificate = _asked(Path(certificate).read_bytes)
-    return Checked((), _asked(_core.check, certificate, engine))
+        certificate = _asked.asked(Path(certificate).read_bytes)
+    return Checked((), _asked.asked(_core.check, certificate, engine))
 
 
 def claims() -> list[tuple[str, str, str]]:
@@ -142,4 +135,4 @@ def prove(*claims: str, threads: int = 0) -> list[Decision]:
     """
     import json
 
-    return [Decision(told) for told in json.loads(_asked(_core.prove, list(claims), _whole(threads)))["claims"]]
+    return [Decision(told) for told in json.loads(_asked.asked(_core.prove, list(claims), _exact.whole(threads)))["claims"]]

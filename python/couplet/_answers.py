@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from . import _core
-from ._asked import arch, by_name
-from ._certified import Certified
+from ._asked import texts_of
+from ._certified import Certified, Told
 from ._command import options
 from ._exact import exact
-from ._told import Told
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,10 +24,8 @@ def plain(value: Any) -> Any:
         return value.to_dict()
     if isinstance(value, dict):
         return {name: plain(inner) for name, inner in value.items()}
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, (list, tuple, range)):
         return [plain(inner) for inner in value]
-    if isinstance(value, range):
-        return list(value)
     if type(value) is int or type(value) is float and abs(value) < float("inf"):
         return value
     return exact(value, "number")
@@ -73,14 +70,12 @@ class Answer:
         """All of the answer, for ``json.dumps``: values with their digits, doubles, bounds and units."""
         names = ("verdict", "reason", *self._more)
         said = {name: plain(getattr(self, name)) for name in names}
-        return {"given": plain(self.given), **said, "values": plain(self._all())}
+        return {"given": plain(self.given), **said, "values": plain(getattr(self, self._valued))}
 
-    # What a class tells besides, and what it shows, by the names of its properties.
+    # What a class tells besides, what it shows, and which are its values, by the names of its properties.
     _more: tuple[str, ...] = ()
     _shown: tuple[str, ...] = ()
-
-    def _all(self) -> Any:
-        return self.values
+    _valued = "values"
 
     def __bool__(self) -> NoReturn:
         raise TypeError(f"{type(self).__name__} has three verdicts and no truth value: look at .verdict")
@@ -113,11 +108,9 @@ class _OfArch(Answer):
 
     weight = Told[str]("The model of self-weight, ``'heyman'`` or ``'milankovitch'``.")
 
-    @property
-    def measured_at(self) -> str | None:
-        """The circle at which the arch is measured, ``'intrados'``, ``'centreline'`` or ``'extrados'``; None if it has no size."""
-        return self._told.get("measured_at")
-
+    measured_at = Told["str | None"](
+        "The circle at which the arch is measured, ``'intrados'``, ``'centreline'`` or ``'extrados'``; None if it has no size."
+    )
     span_m = _Value("The span in metres, of an arch that is measured.")
     rise_m = _Value("The rise in metres, of an arch that is measured.")
     radius_m = _Value("The radius of the centreline in metres, of an arch that is measured.")
@@ -135,8 +128,7 @@ class _OfArch(Answer):
     def svg(self) -> str | None:
         """A picture of the arch with its lines of thrust, and how it falls, as SVG; None where there is nothing to
         draw. It is proved anew for this."""
-        texts = arch(dict(self._given))[0]
-        words = ["draw", *options({**by_name(texts), "weight": self.weight})]
+        words = ["draw", *options({**texts_of(self.given)[0], "weight": self.weight})]
         code, written, _ = _core.command([*words, "--format=svg"], 1)
         # There is none of joints that are no stones of one angle, and of more than 500 stones.
         return written.decode() if code == 0 else None
@@ -266,8 +258,8 @@ class Tilted(Assessment):
 
     def svg(self) -> str | None:
         """A picture of the arch under the largest acceleration, and how it falls, as SVG. It is proved anew for this."""
-        texts = arch(dict(self._given))[0]
-        words = ["couplet assess", *options({**by_name(texts), "weight": self.weight})]
+        texts = texts_of(self.given)[0]
+        words = ["couplet assess", *options({**texts, "weight": self.weight})]
         return _core.tilted(self.weight, texts, "12", " ".join(words))[0]
 
 
@@ -277,7 +269,7 @@ class Found(Answer):
     __slots__ = ()
     _more: tuple[str, ...] = ("modes", "proved", "some_may_move")
 
-    verdict = Told["Literal['found', 'nothing', 'undecided']"]("``'found'``, ``'nothing'`` or ``'undecided'``.")
+    verdict = Told["Literal['found', 'nothing', 'undecided']"]("``'found'``, ``'nothing'`` or ``'undecided'``.", at="search")
 
     @property
     def value(self) -> Certified | None:
@@ -361,9 +353,7 @@ class Checked(Answer):
 
     _more: tuple[str, ...] = ("digits", "summary")
     _shown = ("digits", "reason")
-
-    def _all(self) -> Any:
-        return self.texts
+    _valued = "texts"
 
 
 class Decision:
@@ -386,13 +376,10 @@ class Decision:
         """All of the decision, for ``json.dumps``."""
         return dict(vars(self))
 
-    def _lasting(self) -> dict[str, Any]:
-        return {name: value for name, value in vars(self).items() if name != "seconds"}
-
     def __eq__(self, other: object) -> bool:
         if type(other) is not Decision:
             return NotImplemented
-        return self._lasting() == other._lasting()
+        return {**vars(self), "seconds": None} == {**vars(other), "seconds": None}
 
     def __hash__(self) -> int:
         return hash((self.id, self.verdict, self.as_printed))
@@ -402,26 +389,20 @@ class Decision:
 
 
 class Survey(dict):  # type: ignore[type-arg]
-    """What is proved of every arch between the ends of ranges: the dictionary of ``couplet assess --format json`` (couplet.survey/1).
-
-    Attributes:
-        verdict: as of one arch: ``'stands'`` if all do, ``'falls'`` if none does, ``'undecided'``; and ``'both'`` if some do and
-            others do not.
-        reason: why it is undecided; else None.
-    """
+    """What is proved of every arch between the ends of ranges: the dictionary of ``couplet assess --format json`` (couplet.survey/1)."""
 
     def __init__(self, told: dict[str, Any]) -> None:
         super().__init__(told)
 
     @property
     def verdict(self) -> Literal["stands", "falls", "both", "undecided"]:
-        """``'stands'`` of all arches, ``'falls'`` of all, ``'both'`` or ``'undecided'``."""
+        """``'stands'`` if all arches do, ``'falls'`` if none does, ``'both'`` if some do and others do not, or ``'undecided'``."""
         kinds: Any = {"all": "stands", "none": "falls", "both": "both"}
         return kinds.get(self["outcome"].partition("_")[0], "undecided")  # type: ignore[no-any-return]
 
     @property
     def reason(self) -> str | None:
-        """Why it is undecided."""
+        """Why it is undecided; else None."""
         return self["reason"]  # type: ignore[no-any-return]
 
     @property

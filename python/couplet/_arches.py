@@ -4,15 +4,10 @@ from __future__ import annotations
 
 from . import _core
 from ._answers import Assessment, Found, State, Survey, Tilted, Voussoirs
-from ._asked import arch as _arch
-from ._asked import asked as _asked
-from ._asked import has_range as _has_range
-from ._asked import ranges as _ranges
+from ._asked import FIELDS, asked, ranged, texts_of
 from ._core import CoupletError
-from ._exact import text_of as _text_of
-from ._exact import whole as _whole
-from ._named import Arches, Beside
-from ._named import named as _named
+from ._exact import text_of, whole
+from ._named import Arches, Beside, Certifiable, named
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,8 +16,9 @@ if TYPE_CHECKING:
 
     from typing_extensions import Unpack
 
+    from ._asked import Given
     from ._exact import Exact
-    from ._named import Arch, Landmark, LandmarkName, Range, Sizes, Stones
+    from ._named import Arch, Landmark, LandmarkName, OfStones, OfThickness, Range, Sizes, Stones
 else:
 
     def overload(function):
@@ -40,8 +36,10 @@ def state(half_opening: Range | None, friction: Range, *, frictions: bool = True
 @overload
 def state(half_opening: Range | None = None, *, friction: Range, frictions: bool = True, **arch: Unpack[Arches]) -> State | Survey: ...
 @overload
-def state(half_opening: Range | None = None, *, friction_angle: Range, frictions: bool = True, **arch: Unpack[Arches]) -> State | Survey: ...
-@_named(Beside, Arches)
+def state(
+    half_opening: Range | None = None, *, friction_angle: Range, frictions: bool = True, **arch: Unpack[Arches]
+) -> State | Survey: ...
+@named(Beside, Arches)
 def state(half_opening: Range | None = None, friction: Range | None = None, *, frictions: bool = True, **arch: Any) -> State | Survey:
     """The state of an arch at its least thickness, proved. A float is exactly the double that it is; text is exact.
 
@@ -63,39 +61,20 @@ def state(half_opening: Range | None = None, friction: Range | None = None, *, f
     Half opening, friction, span, rise and radius may be ranges, (least, largest), or text ('10m±2cm', '0.5..inf'). Then the
     answer is a ``Survey``: what is proved of every arch inside, without probability.
 
-    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
-
         >>> couplet.state("pi/2", "0.38", weight="heyman", digits=12)
         State(half_opening='pi/2', friction='0.38', weight='heyman', verdict='stands', mode='[s,r,r]', thickness='0.122191586363')
         >>> bridge = couplet.state(span="10m", rise="3m", friction="0.6", digits=6)
         >>> print(bridge.least_thickness_m, bridge.least_thickness_m.unit, bridge.measured_at)
         0.148126 m intrados
     """
-    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction)
-    surveyed = _surveyed("state", weight, values, digits)
-    if surveyed is not None:
-        return surveyed
-    texts, given = _arch(values)
-    if "stones" in values or "joints" in values:
-        return _of_stones("state", weight, (texts, given), digits)[0]
-    told = _asked(_core.state, weight, texts, digits, frictions)
-    return State((*given, ("weight", told["weight"])), told)
-
-
-def _read(arch: dict[str, Any], **named: Any) -> tuple[dict[str, Any], str, str]:
-    """What is given of an arch; the weight and the digits."""
-    weight, digits = arch.pop("weight"), _text_of(arch.pop("digits"))
-    return {name: value for name, value in (*named.items(), *arch.items()) if value is not None}, weight, digits
-
-
-def _surveyed(question: str, weight: str, values: dict[str, Any], digits: str) -> Survey | None:
-    """What is proved of every arch of a question with ranges; None if it has no range."""
-    if not _has_range(values):
-        return None
-    import json
-
-    told = _asked(_core.surveyed, question, weight, _ranges(values), digits)
-    return None if told is None else Survey(json.loads(told))
+    question = _Question("state", ranged({"half_opening": half_opening, "friction": friction, **arch}))
+    survey = question.survey()
+    if survey is not None:
+        return survey
+    if question.has_joints():
+        return question.of_stones()[0]
+    told = asked(_core.state, *question.words, frictions)
+    return State((*question.fields, ("weight", told["weight"])), told)
 
 
 @overload
@@ -109,21 +88,20 @@ def assess(half_opening: Range | None, friction: Range, thickness: Range, **arch
 @overload
 def assess(half_opening: Range | None = None, *, friction: Range, thickness: Range, **arch: Unpack[Arches]) -> Assessment | Survey: ...
 @overload
-def assess(half_opening: Range | None = None, *, friction_angle: Range, thickness: Range, **arch: Unpack[Arches]) -> Assessment | Survey: ...
-@_named(Beside, Arches)
+def assess(
+    half_opening: Range | None = None, *, friction_angle: Range, thickness: Range, **arch: Unpack[Arches]
+) -> Assessment | Survey: ...
+@named(Beside, Arches)
 def assess(
     half_opening: Range | None = None, friction: Range | None = None, thickness: Range | None = None, **arch: Any
 ) -> Assessment | Survey:
-    """Whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear, proved. A float is
-    exactly the double that it is; text is exact.
+    """Whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear, proved.
 
     Args:
         thickness: t/r, above 0 and at most 2; of an arch in metres a length ('60cm'), or a ratio with its r ('0.12r').
         tilt: a horizontal acceleration, or the angle by which the ground is tilted: the answer is one of ``tilt``.
         half_opening, friction, friction_angle, stones, joints, span, rise, radius, measured_at, density, depth, weight, digits:
             as for ``state``; ranges too, also of the thickness.
-
-    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
 
         >>> a = couplet.assess("80deg", "0.6", "0.12", digits=8)
         >>> a.verdict, str(a.geometric_safety), a.least_thrust.limited_by
@@ -133,33 +111,28 @@ def assess(
         >>> str(couplet.assess(span="10m", rise="3m", thickness="60cm", friction="31deg", digits=5).geometric_safety)
         '3.8972'
     """
-    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction, thickness=thickness)
-    surveyed = _surveyed("assess", weight, values, digits)
-    if surveyed is not None:
-        return surveyed
-    texts, given = _arch(values)
-    if "tilt" in values:
-        return _tilted(weight, (texts, given), digits)
-    if "stones" in values or "joints" in values:
-        found = _of_stones("assess", weight, (texts, given), digits)[0].assessment
+    question = _Question("assess", ranged({"half_opening": half_opening, "friction": friction, "thickness": thickness, **arch}))
+    survey = question.survey()
+    if survey is not None:
+        return survey
+    if "tilt" in question.texts:
+        return question.tilted()
+    if question.has_joints():
+        found = question.of_stones()[0].assessment
         assert found is not None
         return found
-    return Assessment((*given, ("weight", weight)), _asked(_core.assess, weight, texts, digits))
+    return Assessment(question.given, asked(_core.assess, *question.words))
 
 
 @overload
-def tilt(
-    half_opening: Exact | None, friction: Exact, thickness: Exact, tilt: Exact = 0, *, stones: Stones = None, **arch: Unpack[Sizes]
-) -> Tilted: ...
+def tilt(half_opening: Exact | None, friction: Exact, thickness: Exact, tilt: Exact = 0, **arch: Unpack[OfStones]) -> Tilted: ...
+@overload
+def tilt(half_opening: Exact | None = None, *, friction: Exact, thickness: Exact, tilt: Exact = 0, **arch: Unpack[OfStones]) -> Tilted: ...
 @overload
 def tilt(
-    half_opening: Exact | None = None, *, friction: Exact, thickness: Exact, tilt: Exact = 0, stones: Stones = None, **arch: Unpack[Sizes]
+    half_opening: Exact | None = None, *, friction_angle: Exact, thickness: Exact, tilt: Exact = 0, **arch: Unpack[OfStones]
 ) -> Tilted: ...
-@overload
-def tilt(
-    half_opening: Exact | None = None, *, friction_angle: Exact, thickness: Exact, tilt: Exact = 0, stones: Stones = None, **arch: Unpack[Sizes]
-) -> Tilted: ...
-@_named(Beside, Arches)
+@named(Beside, Arches)
 def tilt(
     half_opening: Exact | None = None, friction: Exact | None = None, thickness: Exact | None = None, tilt: Exact = 0, **arch: Any
 ) -> Tilted:
@@ -169,13 +142,11 @@ def tilt(
         tilt: the acceleration over that of gravity ('0.1'), or the angle by which the ground is tilted ('5deg').
         thickness and others: as for ``assess``; of stones at most 2001.
 
-    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
-
         >>> couplet.tilt("pi/2", "0.6", "0.15", "5deg", digits=8)
         Tilted(half_opening='pi/2', friction='0.6', thickness='0.15', tilt='5deg', weight='milankovitch', verdict='stands', largest_tilt='0.14432644')
     """
-    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction, thickness=thickness, tilt=tilt)
-    return _tilted(weight, _arch(values), digits)
+    given = {"half_opening": half_opening, "friction": friction, "thickness": thickness, "tilt": tilt, **arch}
+    return _Question("tilt", given).tilted()
 
 
 @overload
@@ -185,18 +156,14 @@ def voussoirs(half_opening: Exact | None = None, *, friction: Exact, stones: ran
 @overload
 def voussoirs(half_opening: Exact | None = None, *, friction_angle: Exact, stones: range, **arch: Unpack[Sizes]) -> list[Voussoirs]: ...
 @overload
-def voussoirs(
-    half_opening: Exact | None, friction: Exact, stones: Stones = None, *, thickness: Exact | None = None, **arch: Unpack[Sizes]
-) -> Voussoirs: ...
+def voussoirs(half_opening: Exact | None, friction: Exact, stones: Stones = None, **arch: Unpack[OfThickness]) -> Voussoirs: ...
+@overload
+def voussoirs(half_opening: Exact | None = None, *, friction: Exact, stones: Stones = None, **arch: Unpack[OfThickness]) -> Voussoirs: ...
 @overload
 def voussoirs(
-    half_opening: Exact | None = None, *, friction: Exact, stones: Stones = None, thickness: Exact | None = None, **arch: Unpack[Sizes]
+    half_opening: Exact | None = None, *, friction_angle: Exact, stones: Stones = None, **arch: Unpack[OfThickness]
 ) -> Voussoirs: ...
-@overload
-def voussoirs(
-    half_opening: Exact | None = None, *, friction_angle: Exact, stones: Stones = None, thickness: Exact | None = None, **arch: Unpack[Sizes]
-) -> Voussoirs: ...
-@_named(Beside, Arches)
+@named(Beside, Arches)
 def voussoirs(
     half_opening: Exact | None = None, friction: Exact | None = None, stones: Stones | range = None, **arch: Any
 ) -> Voussoirs | list[Voussoirs]:
@@ -210,75 +177,23 @@ def voussoirs(
 
     Returns: an answer; of a range a list of answers.
 
-    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
-
         >>> couplet.voussoirs("pi/2", "0.6", 11, digits=8).thickness
         Certified('thickness', '0.10491034')
         >>> [str(arch.thickness) for arch in couplet.voussoirs("pi/2", "0.6", range(7, 10), digits=4)]
         ['0.09625', '0.1009', '0.1021']
     """
-    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction, stones=stones)
-    if "tilt" in values:
+    if arch["tilt"] is not None:
         raise CoupletError("tilt does not belong here: couplet.tilt tells of an arch of a thickness that is tilted")
-    found = _of_stones("voussoirs", weight, _arch(values), digits)
+    found = _Question("voussoirs", {"half_opening": half_opening, "friction": friction, "stones": stones, **arch}).of_stones()
     return found if isinstance(stones, range) else found[0]
 
 
-def _of_stones(question: str, weight: str, arch: Any, digits: str) -> list[Voussoirs]:
-    """The answers about an arch of stones."""
-    import json
-
-    texts, given = arch
-    stones = dict(given).get("stones")
-    if isinstance(stones, str) and ".." in stones:
-        raise CoupletError("several numbers of stones are a range: couplet.voussoirs(…, stones=range(2, 201))")
-    if question != "voussoirs" and isinstance(stones, range):
-        raise CoupletError("one number of stones at a time; of several couplet.voussoirs tells")
-    text, values = _asked(_core.voussoirs, question, weight, texts, digits)
-    all_said = json.loads(text)
-    all_said = all_said if isinstance(all_said, list) else [all_said]
-    return [_stones_told((*given, ("weight", weight)), said, of) for said, of in zip(all_said, values)]
-
-
-def _stones_told(given: Any, said: dict[str, Any], values: list[dict[str, Any]]) -> Voussoirs:
-    """An answer about an arch of stones, as those about any arch are told."""
-    stones, outcome, assessed = said.get("stones"), said["outcome"], said.pop("assessment", None)
-    if stones is not None:
-        given = tuple((name, stones if isinstance(value, range) else value) for name, value in given)
-    told: dict[str, Any] = {**said, "stones": stones, "joints": said.get("joints"), "values": values[0]}
-    told |= {"open": [], "enough": {}, "between": [], "gap": None, "stands": None, "assessment": None}
-    told |= {"status": "undecided" if outcome == "undecided" else "proved", "modes": [said["mode"]] if said["mode"] else []}
-    told["can_stand"] = {"stands": True, "any_thickness": True, "undecided": None}.get(outcome, False)
-    told["reason"] = said["reason"] or (outcome if told["can_stand"] is False else None)
-    if assessed is not None:
-        stands = assessed["stands"]
-        standing = {"stands": stands, "status": "undecided" if stands is None else "proved", "can_stand": None}
-        told["assessment"] = {**told, **standing, "values": values[1], "reason": assessed["reason"]}
-    return Voussoirs(given, told)
-
-
-def _tilted(weight: str, arch: Any, digits: str) -> Tilted:
-    """The answer about a tilted arch."""
-    import json
-
-    texts, given = arch
-    text, values = _asked(_core.tilted, weight, texts, digits, None)
-    said = json.loads(text)
-    stands = {"stands": True, "collapses": False}.get(said["outcome"])
-    told = {**said, "status": "undecided" if stands is None else "proved", "stands": stands, "can_stand": None}
-    return Tilted((*given, ("weight", weight)), {**told, "modes": [], "values": values, "open": []})
-
-
 @overload
-def find(what: Literal["half_opening", "alpha"], *, friction: Exact, thickness: Exact | None = None, **arch: Unpack[Sizes]) -> Found: ...
+def find(what: Literal["half_opening", "alpha"], *, friction: Exact, **arch: Unpack[OfThickness]) -> Found: ...
 @overload
-def find(
-    what: Literal["half_opening", "alpha"], *, friction_angle: Exact, thickness: Exact | None = None, **arch: Unpack[Sizes]
-) -> Found: ...
+def find(what: Literal["half_opening", "alpha"], *, friction_angle: Exact, **arch: Unpack[OfThickness]) -> Found: ...
 @overload
-def find(
-    what: Literal["friction", "mu"], *, half_opening: Exact | None = None, thickness: Exact | None = None, **arch: Unpack[Sizes]
-) -> Found: ...
+def find(what: Literal["friction", "mu"], *, half_opening: Exact | None = None, **arch: Unpack[OfThickness]) -> Found: ...
 @overload
 def find(
     what: Literal["boundary"],
@@ -289,12 +204,11 @@ def find(
     friction_angle: Exact | None = None,
     **arch: Unpack[Sizes],
 ) -> Found: ...
-@_named(Beside, Arches)
+@named(Beside, Arches)
 def find(
     what: str, modes: str | Sequence[str] | None = None, *, half_opening: Exact | None = None, friction: Exact | None = None, **arch: Any
 ) -> Found:
-    """A question the other way round: the one answer, with the proof that there is no other. A float is exactly the double
-    that it is; text is exact.
+    """A question the other way round: the one answer, with the proof that there is no other.
 
     Args:
         what: 'half_opening', the widest that stands with a ``friction``; 'friction', the least with which a
@@ -304,63 +218,31 @@ def find(
         half_opening, friction, friction_angle, span, rise, radius, measured_at, weight, digits: as for ``state``.
         stones, joints, tilt, density, depth: not here; the refusal says why.
 
-    Raises: CoupletError if an argument makes no sense, is missing, or does not belong there.
-
         >>> couplet.find("friction", half_opening="80deg", thickness="0.1", digits=10).value
         Certified('friction', '0.2573157331')
         >>> couplet.find("friction", span="10m", rise="3m", thickness="60cm", digits=6).value
         Certified('friction', '0.103606')
     """
-    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction)
-    texts, given = _arch(values)
-    told = _asked(_core.find, _target(what, modes), weight, texts, digits)
-    told["verdict"] = told["search"]
-    return Found((("modes", _line(modes)), *given, ("weight", weight)), told)
+    question = _Question("find", {"half_opening": half_opening, "friction": friction, **arch})
+    target = target_of(what, modes)
+    return Found((("modes", target[1]), *question.given), asked(_core.find, target, *question.words))
 
 
-def _line(modes: str | Sequence[str] | None) -> str | None:
-    return modes if modes is None or isinstance(modes, str) else "/".join(map(str, modes))
-
-
-def _target(what: str, modes: str | Sequence[str] | None) -> tuple[str, str | None]:
+def target_of(what: str, modes: str | Sequence[str] | None) -> tuple[str, str | None]:
     """What is sought, as what is compiled has it."""
-    return str(what).replace(" ", "_"), _line(modes)
+    return str(what).replace(" ", "_"), modes if modes is None or isinstance(modes, str) else "/".join(map(str, modes))
 
 
 @overload
 def certify(landmark: Landmark | LandmarkName, *, weight: str = "milankovitch", digits: int = 30, threads: int = 0) -> str: ...
 @overload
-def certify(
-    *,
-    half_opening: Range | None = None,
-    friction: Range,
-    thickness: Range | None = None,
-    asymmetric: bool | str = False,
-    threads: int = 0,
-    **arch: Unpack[Arches],
-) -> str: ...
+def certify(*, half_opening: Range | None = None, friction: Range, **arch: Unpack[Certifiable]) -> str: ...
 @overload
-def certify(
-    *,
-    half_opening: Range | None = None,
-    friction_angle: Range,
-    thickness: Range | None = None,
-    asymmetric: bool | str = False,
-    threads: int = 0,
-    **arch: Unpack[Arches],
-) -> str: ...
-@_named(Beside, Arches)
-def certify(
-    landmark: str | None = None,
-    *,
-    half_opening: Range | None = None,
-    friction: Range | None = None,
-    asymmetric: bool | str = False,
-    threads: int = 0,
-    **arch: Any,
-) -> str:
-    """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``). A float is
-    exactly the double that it is; text is exact.
+def certify(*, half_opening: Range | None = None, friction_angle: Range, **arch: Unpack[Certifiable]) -> str: ...
+@named(Beside, Certifiable)
+def certify(landmark: str | None = None, *, half_opening: Range | None = None, friction: Range | None = None, **arch: Any) -> str:
+    """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``); an
+    UndecidedError if the proof does not succeed.
 
     With ranges, as of ``assess``, it is of the verdict on all arches inside (``couplet.survey-certificate/1``).
 
@@ -375,8 +257,6 @@ def certify(
         weight, digits: as for ``state``; of a landmark up to 1,000,000.
         threads: threads to compute a landmark with, or the arches that decide for all; 0 for one on each core.
 
-    Raises: CoupletError if an argument makes no sense; UndecidedError if the proof does not succeed.
-
         >>> made = couplet.certify(half_opening="2.3", friction="1.05", asymmetric=True, digits=12)
         >>> couplet.check(made, engine="mpfr").verdict
         'accepted'
@@ -384,16 +264,86 @@ def certify(
         >>> couplet.check(all_of_them).summary
         'all arches stand (an admissible symmetric state exists): half_opening 13/30 pi..4/9 pi thickness 1/10..3/25 friction 3/5 milankovitch  by 1 arch'
     """
-    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction)
+    asymmetric, threads = arch["asymmetric"], arch["threads"]
+    values = {"half_opening": half_opening, "friction": friction, **arch}
     if landmark is not None:
-        if asymmetric is not False or values:
+        if asymmetric is not False or any(values[name] is not None for name in FIELDS):
             raise CoupletError("a half opening, a friction, a thickness and asymmetric belong to an arch, not to a landmark")
-        return _asked(_core.certify_landmark, landmark, weight, digits, _whole(threads))
-    if values.keys().isdisjoint(("half_opening", "span", "rise", "joints")):
+        return asked(_core.certify_landmark, landmark, arch["weight"], text_of(arch["digits"]), whole(threads))
+    question = _Question("certify", ranged(values))
+    weight, texts, digits = question.words
+    if texts.keys().isdisjoint(("half_opening", "span", "rise", "joints")):
         raise CoupletError("a landmark, or a half opening and a friction, are missing")
-    texts = _ranges(values)
     if asymmetric is False:
-        return _asked(_core.certify_arch, weight, texts, digits, _whole(threads))
-    if "thickness" in values:
+        return asked(_core.certify_arch, *question.words, whole(threads))
+    if "thickness" in texts:
         raise CoupletError("an asymmetric solution has its own thickness: leave it out")
-    return _asked(_core.certify_asymmetric, weight, texts, None if asymmetric is True else str(asymmetric), digits)
+    return asked(_core.certify_asymmetric, weight, texts, None if asymmetric is True else str(asymmetric), digits)
+
+
+class _Question:
+    """A question about an arch: its name, what is given, and that in the words of what is compiled: weight, texts, digits."""
+
+    def __init__(self, name: str, values: dict[str, Any]) -> None:
+        self.name, weight = name, values["weight"]
+        self.texts, self.fields = texts_of(values)
+        self.given: Given = (*self.fields, ("weight", weight))
+        self.words: tuple[str, dict[str, str], str] = (weight, self.texts, text_of(values["digits"]))
+
+    def has_joints(self) -> bool:
+        """Whether the arch has joints only where stones meet."""
+        return "stones" in self.texts or "joints" in self.texts
+
+    def survey(self) -> Survey | None:
+        """What is proved of every arch of a question with ranges; None if it has no range."""
+        told = asked(_core.surveyed, self.name, *self.words)
+        if told is None:
+            return None
+        import json
+
+        return Survey(json.loads(told))
+
+    def of_stones(self) -> list[Voussoirs]:
+        """The answers about an arch of stones."""
+        import json
+
+        stones = dict(self.given).get("stones")
+        if isinstance(stones, str) and ".." in stones:
+            raise CoupletError("several numbers of stones are a range: couplet.voussoirs(…, stones=range(2, 201))")
+        if self.name != "voussoirs" and isinstance(stones, range):
+            raise CoupletError("one number of stones at a time; of several couplet.voussoirs tells")
+        text, values = asked(_core.voussoirs, self.name, *self.words)
+        said = json.loads(text)
+        return [_stones_told(self.given, *of) for of in zip(said if isinstance(said, list) else [said], values)]
+
+    def tilted(self) -> Tilted:
+        """The answer about a tilted arch."""
+        import json
+
+        text, values = asked(_core.tilted, *self.words, None)
+        said = json.loads(text)
+        stands = {"stands": True, "collapses": False}.get(said["outcome"])
+        told = {**_with_nothing(said), "status": "undecided" if stands is None else "proved", "stands": stands, "values": values}
+        return Tilted(self.given, told)
+
+
+def _with_nothing(said: dict[str, Any]) -> dict[str, Any]:
+    """What is said of stones or a tilt, and nothing of what else is said of any arch."""
+    lists: dict[str, Any] = {"open": [], "modes": [], "enough": {}, "between": []}
+    return {**said, **lists, **dict.fromkeys(("gap", "can_stand", "stands")), "measured_at": said.get("measured_at")}
+
+
+def _stones_told(given: Any, said: dict[str, Any], values: list[dict[str, Any]]) -> Voussoirs:
+    """An answer about an arch of stones, as those about any arch are told."""
+    stones, outcome, assessed = said.get("stones"), said["outcome"], said.pop("assessment", None)
+    if stones is not None:
+        given = tuple((name, stones if isinstance(value, range) else value) for name, value in given)
+    told = {**_with_nothing(said), "stones": stones, "joints": said.get("joints"), "values": values[0], "assessment": None}
+    told |= {"status": "undecided" if outcome == "undecided" else "proved", "modes": [said["mode"]] if said["mode"] else []}
+    told["can_stand"] = {"stands": True, "any_thickness": True, "undecided": None}.get(outcome, False)
+    told["reason"] = said["reason"] or (outcome if told["can_stand"] is False else None)
+    if assessed is not None:
+        stands = assessed["stands"]
+        standing = {"stands": stands, "status": "undecided" if stands is None else "proved", "can_stand": None}
+        told["assessment"] = {**told, **standing, "values": values[1], "reason": assessed["reason"]}
+    return Voussoirs(given, told)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
+
 from . import _core
-from ._arches import _target, assess, state
-from ._asked import asked as _ask
-from ._asked import words
+from ._arches import assess, state, target_of
+from ._asked import asked, words
 from ._core import CoupletError
 from ._exact import exact, whole
 from ._named import Batch, named
@@ -13,7 +14,7 @@ from ._rows import in_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
     from typing import Any, Literal
 
     import numpy as np
@@ -21,9 +22,8 @@ if TYPE_CHECKING:
 
 #: What ``verdict`` is a place in. An arch with a thickness stands or falls with it; one without, at some or at none.
 VERDICTS: tuple[str, ...] = ("stands", "falls", "undecided", "refused")
-
-# Searches that are done before Python is asked for its signals.
-_SEARCHES = 512
+# The columns of what is asked.
+ASKED = ("half_opening", "friction", "given_thickness")
 
 
 @named(Batch)
@@ -62,16 +62,12 @@ def states(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unp
         >>> grid["verdict"].tolist(), float(grid["thickness"][1, 0])
         ([[0, 1], [0, 0]], 0.052296358975188306)
     """
-    need_numpy()
-    import numpy as np
-
-    asked = _Asked(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
-    kinds = [(name, np.uint8 if code else np.float64) for name, code in asked.fields()]
+    np = need_numpy()
+    rows = _Rows(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
     # Aligned, so that every field can be used as it is.
-    found = np.zeros(asked.size, dtype=np.dtype(kinds, align=True))
-    asked.answer(found, batch["threads"], batch["progress"])
-    shaped: np.ndarray[Any, Any] = found.reshape(asked.shape)
-    return shaped
+    found = np.zeros(rows.size, dtype=np.dtype(rows.kinds, align=True))
+    rows.answer(found, batch["threads"], batch["progress"])
+    return found.reshape(rows.shape)  # type: ignore[no-any-return]
 
 
 @named(Batch)
@@ -81,14 +77,11 @@ def states_columns(half_opening: Any, friction: Any, thickness: Any = None, **ba
     ``pandas.DataFrame(...)``, ``polars.DataFrame(...)`` and ``pyarrow.table(...)`` take it as it is. The first columns are
     half_opening, friction and, where it is given, given_thickness.
     """
-    need_numpy()
-    import numpy as np
-
-    asked = _Asked(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
-    found = {name: np.zeros(asked.size, np.uint8 if code else np.float64) for name, code in asked.fields()}
-    asked.answer(found, batch["threads"], batch["progress"])
-    given = zip(("half_opening", "friction", "given_thickness"), asked.arrays)
-    return {**{name: np.array(array) for name, array in given}, **found}
+    np = need_numpy()
+    rows = _Rows(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
+    found = {name: np.zeros(rows.size, kind) for name, kind in rows.kinds}
+    rows.answer(found, batch["threads"], batch["progress"])
+    return {**{name: np.array(array) for name, array in zip(ASKED, rows.arrays)}, **found}
 
 
 @named(Batch)
@@ -100,12 +93,10 @@ def states_frame(half_opening: Any, friction: Any, thickness: Any = None, **batc
 
     columns: dict[str, Any] = dict(states_columns(half_opening, friction, thickness, **batch))
     codes = columns["verdict"]
-    given = [columns[name] for name in ("half_opening", "friction", "given_thickness") if name in columns]
-    why = _reasons(codes, given, batch["weight"])
+    why = _reasons(codes, [columns[name] for name in ASKED if name in columns], batch["weight"])
     columns["verdict"] = pandas.Categorical.from_codes(codes, list(VERDICTS))
-    modes = columns["mode"].astype("int16")
-    modes[modes == 255] = -1
-    columns["mode"] = pandas.Categorical.from_codes(modes, _core.modes())
+    # 255 is -1, which is none.
+    columns["mode"] = pandas.Categorical.from_codes(columns["mode"].view("int8"), _core.modes())
     columns["reason"] = [why.get(row) for row in range(len(codes))]
     return pandas.DataFrame(columns)
 
@@ -143,42 +134,31 @@ def finds(
         >>> found.shape, float(found["value"][1, 1]) == couplet.find("half_opening", friction=0.5, thickness=0.2).value.double
         ((2, 2), True)
     """
-    need_numpy()
-    import numpy as np
-
+    np = need_numpy()
     whole(threads)
     given = {"half openings": half_opening, "frictions": friction, "thicknesses": thickness}
-    arrays = {name: _doubles(np, array, name) for name, array in given.items() if array is not None}
-    arrays = dict(zip(arrays, _broadcast(np, list(arrays.values()))))
-    shape = next(iter(arrays.values())).shape if arrays else ()
-    flat = {name: array.reshape(-1) for name, array in arrays.items()}
-    target = _target(what, modes)
+    shape, flat = _flat(np, {name: array for name, array in given.items() if array is not None})
+    target = target_of(what, modes)
     columns = [flat.get(name) for name in given]
     kinds = [("verdict", np.uint8), *((name, np.float64) for name in ("value", "value_lower", "value_upper"))]
     found = np.zeros(int(np.prod(shape)), dtype=np.dtype(kinds, align=True))
     # Of a question that makes no sense, whatever the numbers, the first row says so.
     names = [None if column is None else "1" for column in columns]
-    code, _, why = _ask(_core.finds, target, weight, [names], 1)[0]
+    code, _, why = asked(_core.finds, target, weight, [names], 1)[0]
     if code == FOUND.index("refused"):
         raise CoupletError(str(why))
-    with Bar(progress, found.size) as bar:
-        for begin in range(0, found.size, _SEARCHES):
-            rows = [
-                [None if column is None else exact(column[row].item(), "number") for column in columns]
-                for row in range(begin, min(begin + _SEARCHES, found.size))
-            ]
-            for row, (code, bounds, _) in enumerate(_ask(_core.finds, target, weight, rows, threads), begin):
-                found[row] = (code, *bounds)
-            bar(begin + len(rows))
-    shaped: np.ndarray[Any, Any] = found.reshape(shape)
-    return shaped
 
+    def ask(here: Any) -> Any:
+        texts = [
+            [None] * (here.stop - here.start) if column is None else [exact(x, "number") for x in column[here].tolist()]
+            for column in columns
+        ]
+        return asked(_core.finds, target, weight, list(map(list, zip(*texts))), threads)
 
-def _broadcast(np: Any, arrays: list[Any]) -> Any:
-    try:
-        return np.broadcast_arrays(*arrays)
-    except ValueError as error:
-        raise CoupletError(f"the arrays do not fit each other: {error}") from None
+    with telling(progress, found.size) as tell:
+        for here, told in in_pieces(np, None, found.size, ask, tell):
+            found[here] = [(code, *bounds) for code, bounds, _ in told]
+    return found.reshape(shape)  # type: ignore[no-any-return]
 
 
 def reasons(
@@ -193,16 +173,14 @@ def reasons(
         >>> couplet.reasons(couplet.states(*arrays), *arrays)
         {1: 'the friction -1 is negative'}
     """
-    need_numpy()
-    import numpy as np
-
-    asked = _Asked(np, half_opening, friction, thickness, weight, None)
-    if asked.shape != found.shape:
-        raise CoupletError(f"the answers have the shape {found.shape}, and the questions {asked.shape}")
-    why = _reasons(found["verdict"].reshape(-1), asked.arrays, weight)
+    np = need_numpy()
+    rows = _Rows(np, half_opening, friction, thickness, weight, None)
+    if rows.shape != found.shape:
+        raise CoupletError(f"the answers have the shape {found.shape}, and the questions {rows.shape}")
+    why = _reasons(found["verdict"].reshape(-1), rows.arrays, weight)
     if found.ndim == 1:
         return dict(why)
-    return {tuple(map(int, np.unravel_index(row, asked.shape))): reason for row, reason in why.items()}
+    return {tuple(map(int, np.unravel_index(row, rows.shape))): reason for row, reason in why.items()}
 
 
 def _reasons(codes: Any, arrays: list[Any], weight: str) -> dict[int, str]:
@@ -218,9 +196,12 @@ def _reasons(codes: Any, arrays: list[Any], weight: str) -> dict[int, str]:
     return why
 
 
-def need_numpy() -> None:
+def need_numpy() -> Any:
+    """NumPy, or one sentence."""
     try:
         import numpy
+
+        return numpy
     except ModuleNotFoundError as error:
         if error.name != "numpy":
             raise
@@ -228,46 +209,51 @@ def need_numpy() -> None:
         raise ModuleNotFoundError(message, name="numpy") from None
 
 
-class _Asked:
+def asked_for(quantities: str | Sequence[str] | None, has_thickness: bool) -> list[str]:
+    """The names of what is computed: those that are given, or what is usual."""
+    return words(quantities if quantities is not None else "geometric_safety" if has_thickness else "thickness")
+
+
+class _Rows:
     """Arrays of one shape, flat, and what is asked of each row."""
 
     def __init__(self, np: Any, half_opening: Any, friction: Any, thickness: Any, weight: str, quantities: Any) -> None:
         self.np, self.weight = np, weight
-        given = [("half openings", half_opening), ("frictions", friction)]
-        if thickness is not None:
-            given.append(("thicknesses", thickness))
-        arrays = [_doubles(np, array, what) for what, array in given]
-        arrays = _broadcast(np, arrays)
-        self.shape = arrays[0].shape
-        self.arrays = [array.reshape(-1) for array in arrays]
+        given = {"half openings": half_opening, "frictions": friction}
+        self.shape, flat = _flat(np, given if thickness is None else {**given, "thicknesses": thickness})
+        self.arrays = list(flat.values())
         self.size = self.arrays[0].size
-        usual = "thickness" if thickness is None else "geometric_safety"
-        names = [usual] if quantities is None else list(dict.fromkeys(words(quantities)))
-        empty = (b"", b"", None if thickness is None else b"")
+        names = list(dict.fromkeys(asked_for(quantities, thickness is not None)))
+        self.columns = [f"{name}={name}" for name in ASKED[: len(flat)]]
         # Nothing is computed before every name is known, nor under a name of the paper.
-        _ask(_core.states, weight, empty, names, 1)
+        asked(_core.table, weight, self.columns, [b""] * len(flat), names, 1)
         self.names = list(dict.fromkeys(_core.quantity(name) for name in names))
-
-    def fields(self) -> list[tuple[str, bool]]:
-        """The names of what is answered, and whether it is a code."""
-        values = [(name + end, False) for name in self.names for end in ("", "_lower", "_upper")]
-        return [("verdict", True), ("mode", True), *values]
+        # What is answered, and what it is.
+        values = [(name + end, np.float64) for name in self.names for end in ("", "_lower", "_upper")]
+        self.kinds = [("verdict", np.uint8), ("mode", np.uint8), *values]
 
     def answer(self, found: Any, threads: int, progress: Any) -> None:
         """Writes every field, some rows at a time."""
         np, threads = self.np, whole(threads)
-        names = [name for name, _ in self.fields()]
-        kinds = [np.uint8] * 2 + [np.float64] * (3 * len(self.names))
 
         def ask(places: Any) -> Any:
-            part = [array[places].tobytes() for array in self.arrays]
-            return _core.states(self.weight, (part[0], part[1], part[2] if len(part) > 2 else None), self.names, threads)
+            return _core.table(self.weight, self.columns, [array[places].tobytes() for array in self.arrays], self.names, threads)
 
-        with Bar(progress, self.size) as bar:
-            for places, (verdict, mode, values) in in_pieces(np, self.arrays[0], self.size, ask, bar):
+        with telling(progress, self.size) as tell:
+            for places, (verdict, mode, values, _) in in_pieces(np, self.arrays[0], self.size, ask, tell):
                 columns = [verdict, mode, *(bound for value in values for bound in value)]
-                for name, kind, column in zip(names, kinds, columns):
+                for (name, kind), column in zip(self.kinds, columns):
                     found[name][places] = np.frombuffer(column, kind)
+
+
+def _flat(np: Any, given: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
+    """The common shape of arrays of doubles, and each of them flat."""
+    arrays = [_doubles(np, array, what) for what, array in given.items()]
+    try:
+        arrays = np.broadcast_arrays(*arrays)
+    except ValueError as error:
+        raise CoupletError(f"the arrays do not fit each other: {error}") from None
+    return arrays[0].shape if arrays else (), {what: array.reshape(-1) for what, array in zip(given, arrays)}
 
 
 def _doubles(np: Any, values: Any, what: str) -> Any:
@@ -289,28 +275,16 @@ def _doubles(np: Any, values: Any, what: str) -> Any:
     raise CoupletError(f"the {what} are no doubles but {array.dtype}; couplet.state takes exact text and fractions")
 
 
-class Bar:
-    """Tells progress, or does not."""
-
-    def __init__(self, progress: Any, size: int) -> None:
-        self.tell: Any = progress if callable(progress) else None
-        self.size, self.bar = size, None
-        if progress and not callable(progress):
-            try:
-                from tqdm.auto import tqdm  # type: ignore[import-not-found, import-untyped, unused-ignore]
-            except ImportError:
-                return
-            self.bar = tqdm(total=size, unit=" arches")
-
-    def __enter__(self) -> Bar:
-        return self
-
-    def __call__(self, done: int) -> None:
-        if self.bar is not None:
-            self.bar.update(done - self.bar.n)
-        elif self.tell is not None:
-            self.tell(done, self.size)
-
-    def __exit__(self, *error: object) -> None:
-        if self.bar is not None:
-            self.bar.close()
+@contextmanager
+def telling(progress: Any, size: int) -> Iterator[Callable[[int], object]]:
+    """What is told how many rows are done: what was given, or a bar if tqdm is there, or nothing."""
+    if progress and not callable(progress):
+        try:
+            from tqdm.auto import tqdm  # type: ignore[import-not-found, import-untyped, unused-ignore]
+        except ImportError:
+            pass
+        else:
+            with tqdm(total=size, unit=" arches") as bar:
+                yield lambda done: bar.update(done - bar.n)
+            return
+    yield lambda done: progress(done, size) if callable(progress) else None

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from . import _core
 from ._core import CoupletError
-from ._exact import exact, no_text, text_of
+from ._exact import exact, no_text, of_numpy, text_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
-    from typing import Any, Optional, ParamSpec, TypeVar
+    from typing import Any, ParamSpec, TypeVar
 
-    #: The half opening and the friction of an arch, and what else there is in the order of FIELDS.
-    Texts = tuple[Optional[str], Optional[str], Optional[list[Optional[str]]]]
     #: What is given, by its names.
     Given = tuple[tuple[str, Any], ...]
     P = ParamSpec("P")
@@ -84,22 +82,14 @@ def _double(found: Any) -> str:
     return repr(numerator / denominator) if is_double else found[0]
 
 
-def arch(values: dict[str, Any]) -> tuple[Texts, Given]:
+def texts_of(values: dict[str, Any]) -> tuple[dict[str, str], Given]:
     """The texts of an arch, and what is given, by its names."""
     given = tuple([(name, _plain(values[name])) for name in FIELDS if values.get(name) is not None])
-    texts = {name: value if isinstance(value, str) else _text(name, value) for name, value in given}
-    half_opening, friction = texts.pop("half_opening", None), texts.pop("friction", None)
-    return (half_opening, friction, [texts.get(name) for name in FIELDS[2:]] if texts else None), given
-
-
-def by_name(texts: Texts) -> dict[str, str | None]:
-    """The texts of an arch by their names."""
-    half_opening, friction, others = texts
-    return dict(zip(FIELDS, (half_opening, friction, *(others or [None] * (len(FIELDS) - 2)))))
+    return {name: value if isinstance(value, str) else _text(name, value) for name, value in given}, given
 
 
 def _plain(value: Any) -> Any:
-    value = value.tolist() if hasattr(value, "tolist") else value
+    value = of_numpy(value)
     return tuple(value) if isinstance(value, list) else value
 
 
@@ -123,22 +113,14 @@ def _stones(value: Any) -> str:
     return text_of(value.__index__())
 
 
-def has_range(values: dict[str, Any]) -> bool:
-    """Whether a value is two ends, or a text with the sign of a range."""
-    for name, value in values.items():
-        if isinstance(value, tuple) and name != "joints" or isinstance(value, str) and asked(_core.is_range, value):
-            return True
-    return False
-
-
-def ranges(values: dict[str, Any]) -> Texts:
-    """The texts of arches of which each value may be two ends."""
-    return arch({name: _range(name, value) for name, value in values.items()})[0]
+def ranged(values: dict[str, Any]) -> dict[str, Any]:
+    """The values of arches, of which each may be two ends, with texts of these ranges."""
+    return {name: _range(name, value) for name, value in values.items()}
 
 
 def _range(name: str, value: Any) -> Any:
     """The text of a range of two ends; any other value as it is."""
-    if not isinstance(value, tuple) or name == "joints":
+    if not isinstance(value, tuple) or name in ("joints", "stones"):
         return value
     if len(value) != 2:
         raise CoupletError(f"a range of the {name.replace('_', ' ')} is (lower, upper), not {len(value)} values")

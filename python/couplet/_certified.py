@@ -1,16 +1,43 @@
-"""A proved value."""
+"""A proved value, and a property of one line for each part that is told of it or of an answer."""
 
 from __future__ import annotations
 
-from ._told import Told
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from decimal import Decimal
     from fractions import Fraction
-    from typing import Any, Optional
+    from typing import Any, Generic, Optional, TypeVar
 
     Parts = tuple[str, str, str, float, float, float, Optional[str], Optional[str]]
+    T = TypeVar("T", covariant=True)
+
+    class Told(Generic[T]):
+        """A property, to those who read types."""
+
+        at: Any
+
+        def __init__(self, words: str, of: Callable[[Any], T] = ..., at: str | int = ...) -> None: ...
+        def __get__(self, answer: Any, kind: type | None = None) -> T: ...
+
+else:
+
+    class Told(property):
+        """What ``_told`` has under the name of the property, or at another place, as a function makes something of it."""
+
+        def __init__(self, words, of=lambda told: told, at=None):
+            super().__init__(self._of, doc=words)
+            self.of, self.at = of, at
+
+        def __class_getitem__(cls, kind):
+            return cls
+
+        def __set_name__(self, owner, name):
+            self.at = name if self.at is None else self.at
+
+        def _of(self, answer):
+            return self.of(answer._told[self.at])
+
 
 # The types of a number in a format: of a Decimal they round half to even, and no digit is made up.
 _NUMBERS = tuple("eEfFgG%")
@@ -62,12 +89,9 @@ class Certified:
 
     def to_dict(self) -> dict[str, Any]:
         """All of the value, for ``json.dumps``: digits and doubles; what is infinite is the text ``'inf'``."""
-        text, text_lower, text_upper, *doubles, exact, limited_by = self._told
-        double, lower, upper = ("inf" if number == float("inf") else number for number in doubles)
-        told: dict[str, Any] = {"text": text, "text_lower": text_lower, "text_upper": text_upper}
-        told |= {"double": double, "lower": lower, "upper": upper, "unit": self.unit}
-        told |= {"exact": exact, "limited_by": limited_by}
-        return {name: value for name, value in told.items() if value is not None}
+        names = ("text", "text_lower", "text_upper", "double", "lower", "upper", "unit", "exact", "limited_by")
+        told = zip(names, (*self._told[:6], self.unit, *self._told[6:]))
+        return {name: "inf" if value == float("inf") else value for name, value in told if value is not None}
 
     def decimal(self) -> Decimal:
         """The text as a decimal.Decimal, which is exactly that."""

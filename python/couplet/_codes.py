@@ -13,8 +13,9 @@ class _Code(IntEnum):
 
     @property
     def word(self) -> str:
-        """The word."""
-        raise NotImplementedError
+        """The word: of a verdict as in ``couplet.VERDICTS``, of a mode the joints from the shoulder inward, ``'[r,r,s]'``, or ``'none'``."""
+        words = VERDICTS if isinstance(self, Verdict) else modes()
+        return words[self] if self < len(words) else "none"
 
     def __str__(self) -> str:
         return self.word
@@ -36,11 +37,6 @@ class Verdict(_Code):
     UNDECIDED = 2
     REFUSED = 3
 
-    @property
-    def word(self) -> str:
-        """The word, of ``couplet.VERDICTS``."""
-        return VERDICTS[self]
-
 
 class Mode(_Code):
     """The mode of a row of ``states``: a number that is equal to its code, and whose text is as in ``couplet.MODES``.
@@ -57,8 +53,3 @@ class Mode(_Code):
     R = 5
     SS = 6
     NONE = 255
-
-    @property
-    def word(self) -> str:
-        """The joints from the shoulder inward, ``'[r,r,s]'``, or ``'none'``."""
-        return "none" if self is Mode.NONE else modes()[self]

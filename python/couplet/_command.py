@@ -11,7 +11,7 @@ import os
 from . import _core
 from ._asked import asked, spoken, warn
 from ._core import CoupletError, UndecidedError
-from ._exact import exact, no_text, text_of, whole
+from ._exact import exact, no_text, of_numpy, text_of, whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 _PROGRAM = "import sys; sys.path.insert(0, {!r}); from couplet.__main__ import main; sys.exit(main())"
 _NAME = "couplet: "
+# Widths, of which a float means the decimal that it shows.
+_DECIMALS = ("tolerance", "amplitude")
 
 
 class Done:
@@ -80,9 +82,9 @@ def options(named: dict[str, Any]) -> list[str]:
 
 
 def _text(value: Any, name: str) -> str:
-    if hasattr(value, "tolist"):
-        # Of NumPy.
-        value = value.tolist()
+    value = of_numpy(value)
+    if name in _DECIMALS and not isinstance(value, str):
+        return repr(float(value))
     if isinstance(value, (list, tuple)):
         return ",".join(_text(inner, name) for inner in value)
     return text_of(value) if isinstance(value, int) else exact(value, name.replace("_", " "))

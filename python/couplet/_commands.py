@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 
 from ._arrays import VERDICTS
-from ._asked import by_name, ranges, spoken, words
+from ._asked import FIELDS, ranged, spoken, texts_of, words
 from ._command import answer, options
 from ._command import run as _run
 from ._core import CoupletError, modes
+from ._exact import listed, of_numpy
 from ._named import Drawn, Paper, Values, named
 from ._sweeps import _Toml
 
@@ -27,11 +28,7 @@ if TYPE_CHECKING:
 
 
 class Picture:
-    """A picture, which a notebook shows. ``str()`` is its SVG.
-
-    Attributes:
-        svg: the picture as SVG.
-    """
+    """A picture, which a notebook shows. ``str()`` and the attribute ``svg`` are its SVG."""
 
     __slots__ = ("svg", "_words", "_threads")
 
@@ -62,20 +59,10 @@ class Picture:
 
 @named(Drawn)
 def draw(
-    half_opening: Range | None = None,
-    friction: Range | None = None,
-    *,
-    at: Landmark | LandmarkName | None = None,
-    mode: str | None = None,
-    along: tuple[str, str] | None = None,
-    amplitude: float | str | None = None,
-    dilatant: bool = False,
-    half: bool = False,
-    arrows: bool = False,
-    animate: bool = False,
-    **arch: Unpack[Drawn],
+    half_opening: Range | None = None, friction: Range | None = None, *, along: tuple[str, str] | None = None, **drawn: Unpack[Drawn]
 ) -> Picture:
-    """An arch at its least thickness and how it falls there, or with a thickness as it stands; or those of a landmark.
+    """An arch at its least thickness and how it falls there, or with a thickness as it stands; or those of a landmark; an
+    UndecidedError if there is nothing to draw, or nothing is proved.
 
     Args:
         half_opening and others: as for ``state``; with thickness as for ``assess``, with ranges too: then the bands in which the lines of
@@ -93,16 +80,12 @@ def draw(
         full_caption: all the words below; no_caption, no_title: without them, and without the headings above.
         threads: threads to compute with; 0 for one on each core.
 
-    Raises: CoupletError if an argument makes no sense; UndecidedError if there is nothing to draw, or nothing is proved.
-
         >>> print(couplet.draw("80deg", "0.35", half=True, width="84mm").svg[:4])
         <svg
     """
-    texts = by_name(ranges({"half_opening": half_opening, "friction": friction, **arch}))
-    shown = {"at": at, "mode": mode, "dilatant": dilatant, "half": half, "arrows": arrows, "animate": animate}
+    texts, _ = texts_of(ranged({"half_opening": half_opening, "friction": friction, **drawn}))
     line = ["draw", *(["--along", *words(along)] if along else [])]
-    more = {name: value for name, value in arch.items() if name not in texts}
-    return _picture(line, {**texts, **more, **shown, "amplitude": _decimal(amplitude)})
+    return _picture(line, {**texts, **{name: value for name, value in drawn.items() if name not in FIELDS}})
 
 
 def _picture(line: list[str], named: dict[str, Any]) -> Picture:
@@ -113,16 +96,14 @@ def _picture(line: list[str], named: dict[str, Any]) -> Picture:
 
 @named(Paper)
 def figure(number: int, *, weight: str | None = None, tolerance: float | str | None = None, **paper: Unpack[Paper]) -> Picture:
-    """A figure of the paper, 1 to 12, drawn from proved curves and states.
+    """A figure of the paper, 1 to 12, drawn from proved curves and states; an UndecidedError if one is not proved.
 
     Args:
         weight: the model of self-weight, 'heyman' or 'milankovitch'; of the figures 2 to 5 both if none is named.
         tolerance: of the figures 2 to 6, the largest half-width of a tube, from 1e-12 to 1; 1e-4 if it is not given.
         width, font_size, font, full_caption, no_caption, no_title, threads: as for ``draw``.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
     """
-    return _picture(["figure", str(number)], {"weight": weight, "tolerance": _decimal(tolerance), **paper})
+    return _picture(["figure", str(number)], {"weight": weight, "tolerance": tolerance, **paper})
 
 
 class _Lines(Paper, total=False):
@@ -153,7 +134,7 @@ def map(
     difference: bool = False,
     **shown: Unpack[_Lines],
 ) -> Picture:
-    """The map of the modes, from curves that are proved for every value of their parameter.
+    """The map of the modes, from curves that are proved for every value of their parameter; an UndecidedError if one is not.
 
     Args:
         curve: only these curves (see ``curve``); all if none is named.
@@ -167,16 +148,9 @@ def map(
         half_opening_unit, friction_unit, scale: 'deg', 'rad' or 'A'; 'deg', 'rad' or 'mu'; 'linear' or 'log'.
         half_opening_range, friction_range, thickness_range: what is shown ('120..160').
         width, font_size, font, full_caption, no_caption, no_title, threads: as for ``draw``.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
     """
     line = ["map", *(["difference"] if difference else []), *(f"--mark={arch}" for arch in words(mark))]
-    return _picture(line, {"curve": curve, "weight": weight, "tolerance": _decimal(tolerance), **shown})
-
-
-def _decimal(value: float | str | None) -> str | None:
-    """A width, of which the decimal is what is meant."""
-    return value if value is None or isinstance(value, str) else repr(float(value))
+    return _picture(line, {"curve": curve, "weight": weight, "tolerance": tolerance, **shown})
 
 
 def _told(line: list[str], named: dict[str, Any], threads: int = 0) -> Any:
@@ -211,8 +185,8 @@ class Curve:
         self.ends, self.gaps, self.widest_tube = (told["from"], told["to"]), told["gaps"], told["widest_tube"]
         nodes = told["nodes"]
         names = [name for name in nodes[0] if name not in ("end", "proved")]
-        numbers = {name: [np.nan if node[name] is None else float(node[name]) for node in nodes] for name in names}
-        self.columns: dict[str, np.ndarray[Any, Any]] = {name: np.array(column) for name, column in numbers.items()}
+        # None is not a number.
+        self.columns: dict[str, np.ndarray[Any, Any]] = {name: np.array([node[name] for node in nodes], float) for name in names}
         self.columns["proved"] = np.array([bool(node["proved"]) for node in nodes])
 
     def __getitem__(self, name: str) -> np.ndarray[Any, Any]:
@@ -227,12 +201,11 @@ class Curve:
     def to_dict(self) -> dict[str, Any]:
         """All of it, for ``json.dumps``; what is not a number is None."""
         columns = {name: [None if x != x else x for x in array.tolist()] for name, array in self.columns.items()}
-        names = ("name", "weight", "parameter", "ends", "gaps", "widest_tube")
-        return {**{name: getattr(self, name) for name in names}, "ends": list(self.ends), "columns": columns}
+        return {**{name: getattr(self, name) for name in self.__slots__}, "ends": list(self.ends), "columns": columns}
 
 
 def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "1e-4", threads: int = 0) -> Curve:
-    """A curve of the map as arrays with bounds (needs NumPy).
+    """A curve of the map as arrays with bounds (needs NumPy); an UndecidedError if it is not proved.
 
     Args:
         name: 'rotation', 'overturning', 'sliding'; two modes that meet ('rrr/srr'); 'limit', where the thickness reaches 2.
@@ -240,13 +213,11 @@ def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "
         tolerance: the largest half-width of a tube, from 1e-12 to 1.
         threads: threads to compute with; 0 for one on each core.
 
-    Raises: CoupletError if an argument makes no sense; UndecidedError if it is not proved.
-
         >>> line = couplet.curve("rrr/srr", tolerance=1e-3)
         >>> bool((line["friction_lower"][1:-1] <= line["friction_upper"][1:-1]).all()), line.parameter
         (True, 'half_opening')
     """
-    curves = _told(["map"], {"curve": name, "weight": weight, "tolerance": _decimal(tolerance)}, threads)["curves"]
+    curves = _told(["map"], {"curve": name, "weight": weight, "tolerance": tolerance}, threads)["curves"]
     if len(curves) != 1:
         raise CoupletError("one curve at a time, of one weight")
     return Curve(curves[0])
@@ -257,8 +228,6 @@ class Judged:
 
     Attributes:
         rows: the dictionaries: ``verdict``, ``accepted``, ``reason``, ``numbers`` with errors and digits of each number, …
-        accepted: how many rows are accepted.
-        verdicts: how many rows have which verdict.
     """
 
     __slots__ = ("rows",)
@@ -370,9 +339,7 @@ def _table(rows: Any, columns: Mapping[str, str]) -> bytes:
 
 
 def _columns(rows: Any) -> dict[str, list[Any]]:
-    if isinstance(rows, (list, tuple)):
-        if not all(hasattr(row, "get") for row in rows):
-            raise TypeError("rows are a frame, a dictionary of columns, a list of dictionaries or the path of a file")
+    if isinstance(rows, (list, tuple)) and all(hasattr(row, "get") for row in rows):
         keys = dict.fromkeys(name for row in rows for name in row)
         return {str(name): [_cell(row.get(name)) for row in rows] for name in keys}
     # Of Arrow; of pandas and polars; of NumPy.
@@ -381,19 +348,12 @@ def _columns(rows: Any) -> dict[str, list[Any]]:
     if names is None and not hasattr(rows, "keys"):
         raise TypeError("rows are a frame, a dictionary of columns, a list of dictionaries or the path of a file")
     names = rows.keys() if names is None else names
-    table = {}
-    for name in names:
-        column = rows[name]
-        to_list = getattr(column, "tolist", None) or getattr(column, "to_list", None) or getattr(column, "to_pylist", None)
-        table[str(name)] = [_cell(value) for value in (to_list() if to_list else column)]
-    return table
+    return {str(name): [_cell(value) for value in listed(rows[name])] for name in names}
 
 
 def _cell(value: Any) -> Any:
     """A cell: doubles with all their digits; no other number loses any."""
-    if hasattr(value, "item"):
-        # Of NumPy.
-        value = value.item()
+    value = of_numpy(value)
     return repr(value) if type(value) is float else "" if value is None else value
 
 
@@ -414,8 +374,6 @@ def sample(count: int = 100, *, hard: bool = False, assemblies: bool = False, se
     ``friction_double``, ``math.inf`` where it is unlimited; ``family``, the kind. Of ``assemblies`` stones next to a threshold
     instead, two for each of the count, as in docs/assemblies.md.
 
-    Raises: CoupletError if an argument makes no sense.
-
         >>> arch = couplet.sample(1)[0]
         >>> couplet.state(arch["half_opening"], arch["friction"], weight=arch["weight"], digits=6).verdict
         'stands'
@@ -433,15 +391,14 @@ def sample(count: int = 100, *, hard: bool = False, assemblies: bool = False, se
 
 
 def audit(*, only: Landmark | LandmarkName | Sequence[Landmark | LandmarkName] | None = None, weight: str = "both") -> dict[str, Any]:
-    """Every number the paper prints, and its claims on the two weights, against certified values: ``couplet.audit/2``.
+    """Every number the paper prints, and its claims on the two weights, against certified values: ``couplet.audit/2``; an
+    UndecidedError if something is not proved.
 
     Args:
         only: the numbers of these landmarks alone.
         weight: 'heyman', 'milankovitch' or 'both'.
 
     Returns: a dictionary with ``printed``, a list of numbers with their verdicts, and ``comparisons``.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if something is not proved.
 
         >>> [number["verdict"] for number in couplet.audit(only="T", weight="heyman")["printed"]][:3]
         ['wrong', 'faithful', 'correctly rounded']
@@ -451,7 +408,7 @@ def audit(*, only: Landmark | LandmarkName | Sequence[Landmark | LandmarkName] |
 
 @named(Values)
 def equation(number: int, *, half_opening: Exact | None = None, **values: Unpack[Values]) -> dict[str, Any]:
-    """An equation of the paper, (2) to (18), at given values: ``couplet.equation/1``.
+    """An equation of the paper, (2) to (18), at given values: ``couplet.equation/1``; an UndecidedError if something is not proved.
 
     Args:
         number: of the equation; (7) to (12) are at a rotational joint.
@@ -459,8 +416,6 @@ def equation(number: int, *, half_opening: Exact | None = None, **values: Unpack
         thickness, thrust, opening_variable: eta, h and A = alpha cot(alpha/2), where the equation has them.
         weight: the model of self-weight, 'heyman' or 'milankovitch'.
         digits: significant digits, 1 to 1,000,000.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if something is not proved.
 
         >>> couplet.equation(12, rotation_joint="1.2", digits=5)["radicand"]["value"]
         '5.2334'
@@ -470,13 +425,12 @@ def equation(number: int, *, half_opening: Exact | None = None, **values: Unpack
 
 @named(Values)
 def states_of(friction: Exact | None = None, **values: Unpack[Values]) -> dict[str, Any]:
-    """All states that have one value, whatever their half opening: ``couplet.states_of/1``, with both branches of (9) to (11).
+    """All states that have one value, whatever their half opening: ``couplet.states_of/1``, with both branches of (9) to (11);
+    an UndecidedError if something is not proved.
 
     Args:
         friction: as for ``state``; unlimited if it is not given.
         rotation_joint, thrust, thickness, opening_variable: one of them.
-
-    Raises: CoupletError if an argument makes no sense; UndecidedError if something is not proved.
 
         >>> [state["half_opening"]["value"] for state in couplet.states_of(rotation_joint=1, digits=5)["states"]]
         ['1.6921', '2.4677']

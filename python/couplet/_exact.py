@@ -10,26 +10,35 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from decimal import Decimal
     from fractions import Fraction
-    from typing import Union
+    from typing import Any, Union
 
     Exact = Union[str, int, float, Fraction, Decimal]
 
 _MOST_THREADS = 1024
 
 
+def of_numpy(value: Any) -> Any:
+    """What NumPy has, as Python has it; anything else as it is."""
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def listed(column: Any) -> Any:
+    """The members of a column of any library."""
+    lister = getattr(column, "tolist", None) or getattr(column, "to_list", None) or getattr(column, "to_pylist", None)
+    return lister() if lister else list(column)
+
+
 def exact(value: Exact, what: str) -> str:
     """The text of a number; a float is the double that it is, as a fraction."""
     if isinstance(value, str):
         return value
-    if not isinstance(value, bool):
-        try:
-            return _text(value)
-        except _NoNumber:
-            pass
-        except ValueError as error:
-            raise CoupletError(f"the {what} is too long: {error}") from None
-    kind = type(value).__name__
-    raise TypeError(f"the {what} is a str, int, float, Fraction or Decimal, not {kind}")
+    try:
+        text = None if isinstance(value, bool) else _text(value)
+    except ValueError as error:
+        raise CoupletError(f"the {what} is too long: {error}") from None
+    if text is None:
+        raise TypeError(f"the {what} is a str, int, float, Fraction or Decimal, not {type(value).__name__}")
+    return text
 
 
 def text_of(value: object) -> str:
@@ -52,11 +61,8 @@ def no_text(text: str) -> str:
     return f"{text!r} is no text: it has half a surrogate pair, which is no character"
 
 
-class _NoNumber(Exception):
-    pass
-
-
-def _text(value: object) -> str:
+def _text(value: object) -> str | None:
+    """The text of a number; None if it is none."""
     # What most give; neither infinite nor no number.
     if type(value) is float and value - value == 0:
         numerator, denominator = value.as_integer_ratio()
@@ -65,22 +71,20 @@ def _text(value: object) -> str:
     if isinstance(value, int) or hasattr(value, "as_tuple"):
         return text_of(value)
     if hasattr(value, "numerator") and hasattr(value, "denominator"):
-        return f"{_whole(value.numerator)}/{_whole(value.denominator)}"
+        return _ratio(value.numerator, value.denominator)
     if not hasattr(value, "as_integer_ratio"):
-        raise _NoNumber
+        return None
     try:
         numerator, denominator = value.as_integer_ratio()
     except (ValueError, OverflowError):
         # Not a number, or infinite.
         return str(float(value))  # type: ignore[arg-type]
-    return _whole(numerator) if denominator == 1 else f"{_whole(numerator)}/{_whole(denominator)}"
+    return _ratio(numerator) if denominator == 1 else _ratio(numerator, denominator)
 
 
-def _whole(value: object) -> str:
-    """The text of what has to be a whole number, whatever its class says that it is."""
-    if not hasattr(value, "__index__"):
-        raise _NoNumber
-    return text_of(value.__index__())
+def _ratio(*parts: Any) -> str | None:
+    """The text of parts that are whole numbers, whatever their class says that they are; None if they are not."""
+    return "/".join(text_of(part.__index__()) for part in parts) if all(hasattr(part, "__index__") for part in parts) else None
 
 
 def whole(threads: int) -> int:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import sys
-from functools import partial
 
 from . import _core
-from ._arrays import VERDICTS, need_numpy
-from ._asked import asked as _ask
-from ._asked import spoken, words
+from ._arrays import VERDICTS, asked_for, need_numpy
+from ._asked import asked, spoken
 from ._core import CoupletError
 from ._exact import is_text, no_text, whole
 from ._kinds import NO_SIDE, NO_WORD, kind_of
@@ -16,10 +14,10 @@ from ._rows import in_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Iterator, Sequence
     from typing import Any, TypeVar
 
-    from ._kinds import Kind
+    from ._kinds import Columns
 
     Table = TypeVar("Table")
 
@@ -99,9 +97,8 @@ class _Question:
         self.weight = _WEIGHTS[-1] if is_column else weight
         self.around, self.threads = around, threads
         self.has_thickness = "given_thickness" in roles
-        usual = "geometric_safety" if self.has_thickness else "thickness"
-        names = [usual] if quantities is None else words(quantities)
-        self.quantities = list(dict.fromkeys(_ask(_core.quantity, name) for name in names))
+        names = asked_for(quantities, self.has_thickness)
+        self.quantities = list(dict.fromkeys(asked(_core.quantity, name) for name in names))
 
     def answered(self, data: Any) -> Any:
         """The table with its answers."""
@@ -117,52 +114,47 @@ class _Question:
         name = type(data).__name__
         for method in _MAPS:
             if hasattr(data, method):
-                raise TypeError(f"a {name} is asked to map its batches: data.{method}(…) as in docs/python.md, \"Engines\"")
+                raise TypeError(f'a {name} is asked to map its batches: data.{method}(…) as in docs/python.md, "Engines"')
         kind = kind_of(data)
         if kind is None:
             raise TypeError(f"a table is a frame of pandas or polars, one of Arrow or a dictionary of arrays, not {name}")
         return self._with_states(kind)
 
-    def _with_states(self, kind: Kind) -> Any:
-        import numpy as np
-
+    def _with_states(self, kind: Columns) -> Any:
+        np = need_numpy()
         texts = [name for name in kind.names if isinstance(name, str) and is_text(name)]
         for why in filter(None, map(_core.unanswered, texts)):
             raise CoupletError(spoken(f"{why}; under another name the column is handed on"))
-        columns, cells, present, no_texts = self._read(kind)
-        names = [name for name in _Answers.names(self.quantities) if name != "mode" or not self.has_thickness]
-        named = {name: name.join(self.around) for name in names}
-        taken = next((name for name in named.values() if name in kind.names), None)
+        columns, cells, refused = self._read(np, kind)
+        names = ["verdict", *([] if self.has_thickness else ["mode"])]
+        names += [name + end for name in self.quantities for end in ("", "_side")]
+        names = [name.join(self.around) for name in (*names, "reason")]
+        taken = next((name for name in names if name in kind.names), None)
         if taken is not None:
             raise CoupletError(f"the table has a column '{taken}'; with prefix='…' or suffix='…' the new ones have other names")
 
         def ask(here: Any) -> Any:
-            return _ask(_core.table, self.weight, columns, [_some(column, here) for column in cells], self.quantities, self.threads)
+            return asked(_core.table, self.weight, columns, [_some(column, here) for column in cells], self.quantities, self.threads)
 
         # What is wrong with a name is said though there is no row.
         ask(slice(0, 0))
-        answers = _Answers(np, kind.size, self.quantities)
-        for row, why in no_texts.items():
-            answers.refuse(np.arange(kind.size) == row, why)
-        for role, there in present.items():
-            answers.refuse(~there, f"the {role} is empty")
-        places = np.all(list(present.values()), axis=0).nonzero()[0] if present else kind.size
+        answers = _Answers(np, kind.size, len(self.quantities))
+        for rows, why in refused:
+            answers.refuse(rows, why)
+        places = (answers.why == NO_WORD).nonzero()[0] if refused else kind.size
         keys = None if isinstance(cells[0], list) else cells[0]
         for here, told in in_pieces(np, keys, places, ask):
             answers.put(here, told)
-        columns_of = answers.columns(kind)
-        return kind.with_columns({new: columns_of[name]() for name, new in named.items()})
+        return kind.with_columns(dict(zip(names, answers.columns(kind, not self.has_thickness))))
 
-    def _read(self, kind: Kind) -> tuple[list[str], list[Any], dict[str, Any], dict[int, str]]:
-        """The columns as the command has them, ``theirs=ours:deg``; their cells; where they have values, if not everywhere; and
-        the rows with a cell that is no text, with what is said of it."""
-        import numpy as np
-
-        columns, cells, present = [], [], {}
+    def _read(self, np: Any, kind: Columns) -> tuple[list[str], list[Any], list[tuple[Any, str]]]:
+        """The columns as the command has them, ``theirs=ours:deg``; their cells; and the rows that are refused for a cell that is no
+        text, or is empty, with what is said of them."""
+        columns, cells, empty = [], [], []
         no_texts: dict[int, str] = {}
         for role, text in self.roles.items():
             name, unit = _column(kind.names, text)
-            column, there = kind.cells(name)
+            column, present = kind.cells(name)
             if len(column) != kind.size:
                 raise CoupletError(f"the column '{name}' has {len(column)} rows, where others have {kind.size}")
             columns.append(f"{name}={role}{unit}")
@@ -172,51 +164,48 @@ class _Question:
                     column[row] = ""
             cells.append(column)
             # A weight that is not there is the usual one.
-            if there is not None and role != "weight":
-                present[role.replace("given_", "")] = there
-        if no_texts:
-            present["text"] = ~np.isin(np.arange(kind.size), list(no_texts))
-        return columns, cells, present, no_texts
+            if present is not None and role != "weight":
+                empty.append(((~present).nonzero()[0], f"the {role.replace('given_', '')} is empty"))
+        return columns, cells, [*((np.array([row]), why) for row, why in no_texts.items()), *empty]
 
 
 class _Answers:
     """What is known of each row: codes of words, numbers with their sides, and reasons; refused at first."""
 
-    def __init__(self, np: Any, size: int, quantities: list[str]) -> None:
+    def __init__(self, np: Any, size: int, quantities: int) -> None:
         self.np, self.size = np, size
         self.verdicts = np.full(size, VERDICTS.index("refused"), np.int8)
         self.modes = np.full(size, NO_WORD, np.int8)
-        self.values = {name: (np.full(size, np.nan), np.full(size, NO_SIDE, np.int8)) for name in quantities}
+        self.values = [(np.full(size, np.nan), np.full(size, NO_SIDE, np.int8)) for _ in range(quantities)]
         self.why = np.full(size, NO_WORD, np.int32)
         self.reasons: dict[str, int] = {}
 
-    @staticmethod
-    def names(quantities: list[str]) -> list[str]:
-        """The names of the columns."""
-        return ["verdict", "mode", *(name + end for name in quantities for end in ("", "_side")), "reason"]
-
     def refuse(self, rows: Any, why: str) -> None:
         """Says why rows are refused, unless it is known."""
-        self.why[rows & (self.why == NO_WORD)] = self.reasons.setdefault(why, len(self.reasons))
+        self.why[rows[self.why[rows] == NO_WORD]] = self.reasons.setdefault(why, len(self.reasons))
 
     def put(self, here: Any, told: Any) -> None:
         """Puts down what is told of some rows."""
-        array = self.np.frombuffer
+        array, where = self.np.frombuffer, self.np.where
         verdicts, modes, values, reasons = told
         self.verdicts[here], self.modes[here] = array(verdicts, "i1"), array(modes, "i1")
-        for (numbers, sides), (doubles, around) in zip(self.values.values(), values):
-            numbers[here], sides[here] = array(doubles, "f8"), array(around, "i1")
+        for (numbers, sides), bounds in zip(self.values, values):
+            doubles, lower, upper = (array(bound, "f8") for bound in bounds)
+            numbers[here] = doubles
+            sides[here] = where(lower >= doubles, where(upper <= doubles, 0, 1), where(upper <= doubles, -1, NO_SIDE))
         rows = range(self.size)[here] if isinstance(here, slice) else here
         for row, why in reasons:
             self.why[rows[row]] = self.reasons.setdefault(spoken(why), len(self.reasons))
 
-    def columns(self, kind: Kind) -> dict[str, Callable[[], Any]]:
-        """What makes each column, as a kind of tables has it."""
-        made: list[Callable[[], Any]] = [partial(kind.words, self.verdicts, VERDICTS), partial(kind.words, self.modes, _core.modes())]
-        for numbers, sides in self.values.values():
-            made += [partial(kind.numbers, numbers), partial(kind.sides, sides)]
-        made.append(partial(kind.texts, self.why, list(self.reasons)))
-        return dict(zip(self.names(list(self.values)), made))
+    def columns(self, kind: Columns, have_modes: bool) -> Iterator[Any]:
+        """The columns, as a kind of tables has them."""
+        yield kind.words(self.verdicts, VERDICTS)
+        if have_modes:
+            yield kind.words(self.modes, _core.modes())
+        for numbers, sides in self.values:
+            yield kind.numbers(numbers)
+            yield kind.sides(sides)
+        yield kind.texts(self.why, list(self.reasons))
 
 
 def _column(names: Sequence[Any], text: str) -> tuple[str, str]:

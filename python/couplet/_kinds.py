@@ -5,49 +5,37 @@ from __future__ import annotations
 import sys
 
 from ._core import CoupletError
-from ._exact import exact
+from ._exact import exact, listed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
-    from typing import Any, Optional, Protocol, Union
+    from typing import Any, Optional
 
     #: Doubles as an array or exact texts, and which of the cells have a value; None if all have.
     Cells = tuple[Any, Optional[Any]]
-
-    class Kind(Protocol):
-        """A kind of tables, over one of them."""
-
-        size: int
-        names: Any
-
-        def cells(self, name: str) -> Cells: ...
-        def words(self, codes: Any, words: Sequence[str]) -> Any: ...
-        def numbers(self, doubles: Any) -> Any: ...
-        def sides(self, sides: Any) -> Any: ...
-        def texts(self, codes: Any, words: Sequence[str]) -> Any: ...
-        def with_columns(self, columns: Mapping[str, Any]) -> Any: ...
 
 
 #: The codes of no word and of no side.
 NO_WORD, NO_SIDE = -1, -128
 
 
-def kind_of(data: Any) -> Union[Kind, None]:
+def kind_of(data: Any) -> Columns | None:
     """The kind of a table; None if it is none."""
-    for library, frame in (("pandas", Pandas), ("polars", Polars)):
-        module = sys.modules.get(library)
-        if module is not None and isinstance(data, module.DataFrame):
-            return frame(data)
-    pyarrow = sys.modules.get("pyarrow")
+    pandas, polars, pyarrow = map(sys.modules.get, ("pandas", "polars", "pyarrow"))
+    for library, frame in ((pandas, Pandas), (polars, Polars)):
+        if library is not None and isinstance(data, library.DataFrame):
+            return frame(data, list(data.columns), len(data), library)
     if pyarrow is not None and isinstance(data, (pyarrow.Table, pyarrow.RecordBatch)):
-        return Arrow(data)
+        return Arrow(data, data.schema.names, data.num_rows, pyarrow)
     if hasattr(data, "__arrow_c_stream__") or hasattr(data, "__arrow_c_array__"):
-        return _of_arrow(data)
-    return Columns(data) if hasattr(data, "keys") and hasattr(data, "__getitem__") and not hasattr(data, "columns") else None
+        return kind_of(_of_arrow(data))
+    if not hasattr(data, "keys") or not hasattr(data, "__getitem__") or hasattr(data, "columns"):
+        return None
+    return Columns(data, list(data), next((len(column) for column in data.values() if hasattr(column, "__len__")), 0), None)
 
 
-def _of_arrow(data: Any) -> Kind:
+def _of_arrow(data: Any) -> Any:
     """What speaks Arrow's C interface, as a table of pyarrow, or of polars if that is there and pyarrow is not."""
     try:
         import pyarrow  # type: ignore[import-not-found, import-untyped, unused-ignore]
@@ -57,16 +45,15 @@ def _of_arrow(data: Any) -> Kind:
         except ImportError:
             kind = type(data).__name__
             raise ModuleNotFoundError(f"a {kind} of Arrow is read by pyarrow or polars: pip install pyarrow", name="pyarrow") from None
-        return Polars(polars.DataFrame(data))
-    return Arrow(pyarrow.table(data) if hasattr(data, "__arrow_c_stream__") else pyarrow.record_batch(data))
+        return polars.DataFrame(data)
+    return pyarrow.table(data) if hasattr(data, "__arrow_c_stream__") else pyarrow.record_batch(data)
 
 
 class Columns:
-    """A dictionary of arrays, which has codes in place of words and of nothing."""
+    """A dictionary of arrays, which has codes in place of words and of nothing. Other kinds of tables have the same methods."""
 
-    def __init__(self, data: Mapping[str, Any]) -> None:
-        self.data, self.names = data, list(data)
-        self.size = next((len(column) for column in data.values() if hasattr(column, "__len__")), 0)
+    def __init__(self, data: Any, names: list[Any], size: int, library: Any) -> None:
+        self.data, self.names, self.size, self.library = data, names, size, library
 
     def cells(self, name: str) -> Cells:
         import numpy as np
@@ -104,16 +91,12 @@ class Columns:
         return {**self.data, **columns}
 
 
-class Pandas:
+class Pandas(Columns):
     """A frame of pandas."""
-
-    def __init__(self, data: Any) -> None:
-        self.pandas: Any = sys.modules["pandas"]
-        self.data, self.names, self.size = data, list(data.columns), len(data)
 
     def cells(self, name: str) -> Cells:
         column = self.data[name]
-        if isinstance(column.dtype, self.pandas.CategoricalDtype):
+        if isinstance(column.dtype, self.library.CategoricalDtype):
             column = column.astype(column.cat.categories.dtype)
         kind = column.dtype
         if getattr(kind, "kind", "") in "fiu" and not hasattr(kind, "na_value"):
@@ -126,28 +109,21 @@ class Pandas:
         return _cells(column.to_numpy(dtype=object), column, name, present, kind)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.pandas.Categorical.from_codes(codes, list(words))
-
-    def numbers(self, doubles: Any) -> Any:
-        return doubles
+        return self.library.Categorical.from_codes(codes, list(words))
 
     def sides(self, sides: Any) -> Any:
-        return self.pandas.arrays.IntegerArray(sides, sides == NO_SIDE)
+        return self.library.arrays.IntegerArray(sides, sides == NO_SIDE)
 
     def texts(self, codes: Any, words: Sequence[str]) -> Any:
         # One word more, as nothing is taken of nothing.
-        return self.pandas.array([*words, ""], dtype="string" if self.pandas.__version__ < "3" else "str").take(codes, allow_fill=True)
+        return self.library.array([*words, ""], dtype="string" if self.library.__version__ < "3" else "str").take(codes, allow_fill=True)
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         return self.data.assign(**columns)
 
 
-class Polars:
+class Polars(Columns):
     """A frame of polars."""
-
-    def __init__(self, data: Any) -> None:
-        self.polars: Any = sys.modules["polars"]
-        self.data, self.names, self.size = data, data.columns, data.height
 
     def cells(self, name: str) -> Cells:
         column = self.data.get_column(name)
@@ -155,41 +131,34 @@ class Polars:
         kind = column.dtype
         if kind.is_float() or kind.is_integer() and "128" not in str(kind):
             return _cells(column.fill_null(0).to_numpy(), column, name, present)
-        if kind.is_numeric() or kind in (self.polars.String, self.polars.Categorical, self.polars.Enum, self.polars.Null):
-            column = column.cast(self.polars.String)
-        elif kind != self.polars.Object:
+        if kind.is_numeric() or kind in (self.library.String, self.library.Categorical, self.library.Enum, self.library.Null):
+            column = column.cast(self.library.String)
+        elif kind != self.library.Object:
             raise _no_numbers(name, kind)
         return _cells(None, column, name, present)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        return self._coded(codes, self.polars.Series(values=list(words), dtype=self.polars.Enum(words)))
+        return self.library.Series(values=list(words), dtype=self.library.Enum(words)).gather(self._coded(codes, NO_WORD))
 
-    def _coded(self, codes: Any, words: Any) -> Any:
-        series = self.polars.Series(codes)
-        return words.gather(series.set(series == NO_WORD, None) if (codes == NO_WORD).any() else series)
+    def _coded(self, codes: Any, nothing: int) -> Any:
+        series = self.library.Series(codes)
+        return series.set(series == nothing, None) if (codes == nothing).any() else series
 
     def numbers(self, doubles: Any) -> Any:
-        return self.polars.Series(doubles, nan_to_null=True)
+        return self.library.Series(doubles, nan_to_null=True)
 
     def sides(self, sides: Any) -> Any:
-        series = self.polars.Series(sides)
-        return series.set(series == NO_SIDE, None) if (sides == NO_SIDE).any() else series
+        return self._coded(sides, NO_SIDE)
 
     def texts(self, codes: Any, words: Sequence[str]) -> Any:
-        if not words:
-            return self.polars.repeat(None, self.size, dtype=self.polars.String, eager=True)
-        return self._coded(codes, self.polars.Series(values=list(words), dtype=self.polars.String))
+        return self.library.Series(values=list(words), dtype=self.library.String).gather(self._coded(codes, NO_WORD))
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         return self.data.with_columns([column.alias(name) for name, column in columns.items()])
 
 
-class Arrow:
+class Arrow(Columns):
     """A table or a batch of pyarrow."""
-
-    def __init__(self, data: Any) -> None:
-        self.pyarrow: Any = sys.modules["pyarrow"]
-        self.data, self.names, self.size = data, data.schema.names, data.num_rows
 
     def cells(self, name: str) -> Cells:
         from pyarrow import compute, types  # type: ignore[import-not-found, import-untyped, unused-ignore]
@@ -201,33 +170,34 @@ class Arrow:
         kind = column.type
         if types.is_floating(kind) or types.is_integer(kind):
             if present is not None:
-                column = compute.fill_null(column, self.pyarrow.scalar(0, self.pyarrow.int8()).cast(kind))
+                column = compute.fill_null(column, self.library.scalar(0, self.library.int8()).cast(kind))
             return _cells(column.to_numpy(zero_copy_only=False), column, name, present)
         if types.is_decimal(kind):
-            column = column.cast(self.pyarrow.string())
+            column = column.cast(self.library.string())
         elif not (types.is_string(kind) or types.is_large_string(kind) or types.is_string_view(kind) or types.is_null(kind)):
             raise _no_numbers(name, kind)
         return _cells(None, column, name, present)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        mask = codes == NO_WORD
-        indices = self.pyarrow.array(codes, mask=mask if mask.any() else None)
-        return self.pyarrow.DictionaryArray.from_arrays(indices, self.pyarrow.array(words, self.pyarrow.string())).dictionary_decode()
+        return self.library.array(words, self.library.string()).take(self._coded(codes, NO_WORD))
+
+    def _coded(self, codes: Any, nothing: int) -> Any:
+        mask = codes == nothing
+        return self.library.array(codes, mask=mask if mask.any() else None)
 
     def numbers(self, doubles: Any) -> Any:
-        return self.pyarrow.array(doubles, self.pyarrow.float64(), from_pandas=True)
+        return self.library.array(doubles, self.library.float64(), from_pandas=True)
 
     def sides(self, sides: Any) -> Any:
-        mask = sides == NO_SIDE
-        return self.pyarrow.array(sides, self.pyarrow.int8(), mask=mask if mask.any() else None)
+        return self._coded(sides, NO_SIDE)
 
     def texts(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.words(codes, words) if words else self.pyarrow.nulls(self.size, self.pyarrow.string())
+        return self.words(codes, words)
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         schema = self.data.schema
         for name, column in columns.items():
-            schema = schema.append(self.pyarrow.field(name, column.type))
+            schema = schema.append(self.library.field(name, column.type))
         return type(self.data).from_arrays([*self.data.columns, *columns.values()], schema=schema)
 
 
@@ -249,8 +219,7 @@ def _cells(array: Any, values: Any, name: str, present: Any = None, kind: Any = 
                 return doubles, present
         elif array.dtype.kind not in "fOUT":
             raise _no_numbers(name, kind or array.dtype)
-    lister = getattr(values, "tolist", None) or getattr(values, "to_list", None) or getattr(values, "to_pylist", None)
-    given = lister() if lister else list(values)
+    given = listed(values)
     if present is None:
         present = np.fromiter((value is not None for value in given), bool, len(given))
         present = None if present.all() else present

@@ -48,10 +48,21 @@ class Sizes(Common, total=False):
     digits: int
 
 
-class Arch(Sizes, total=False):
-    """One arch, perhaps of stones, perhaps tilted."""
+class OfThickness(Sizes, total=False):
+    """The same, perhaps of a thickness."""
+
+    thickness: Exact | None
+
+
+class OfStones(Sizes, total=False):
+    """One arch, perhaps of stones."""
 
     stones: Stones
+
+
+class Arch(OfStones, total=False):
+    """The same, perhaps tilted."""
+
     tilt: Exact | None
 
 
@@ -69,6 +80,14 @@ class Arches(Ends, total=False):
     """The same, to so many digits."""
 
     digits: int
+
+
+class Certifiable(Arches, total=False):
+    """What a certificate is made of."""
+
+    thickness: Range | None
+    asymmetric: bool | str
+    threads: int
 
 
 class Beside(TypedDict, total=False):
@@ -111,11 +130,19 @@ class Batch(TypedDict, total=False):
 
 
 class Drawn(Ends, Beside, Paper, total=False):
-    """An arch that is drawn, or all of them."""
+    """An arch that is drawn, or all of them, and what is drawn of it."""
+
+    at: Landmark | LandmarkName | None
+    mode: str | None
+    dilatant: bool
+    half: bool
+    arrows: bool
+    animate: bool
+    amplitude: float | str | None
 
 
 #: What is meant where nothing is given; of what is true or false that it is false, of all else None.
-_USUAL = {"weight": "milankovitch", "digits": 30, "threads": 0, "progress": False}
+_USUAL = {"weight": "milankovitch", "digits": 30, "threads": 0, "progress": False, "asymmetric": False}
 
 
 def named(*lists: type) -> Callable[[F], F]:

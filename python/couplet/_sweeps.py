@@ -13,10 +13,10 @@ from importlib import import_module
 from itertools import islice
 
 from . import _core
-from ._arrays import VERDICTS, Bar
+from ._arrays import VERDICTS, telling
 from ._asked import asked
 from ._core import CoupletError
-from ._exact import exact, is_text, no_text, text_of, whole
+from ._exact import exact, is_text, no_text, of_numpy, text_of, whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 
     #: A part, the counts of its verdicts if it was written, and otherwise what is wrong and whether that ends the sweep.
     Done = tuple[int, tuple[int, int, int, int] | None, str, bool]
-    Work = Callable[[int], Done]
+    #: What computes parts: of a folder, the one where its paths begin, the parts, so many workers.
+    Engine = Callable[[str, str, list[int], int], Iterator[Done]]
 
 #: Parts that are asked of an engine at a time, for each core: it is never without work, and holds few.
 _IN_FLIGHT = 4
@@ -64,8 +65,7 @@ class Swept:
 
     def to_dict(self) -> dict[str, Any]:
         """All of it, for ``json.dumps``."""
-        names = ("folder", "rows", "computed", "kept", "counts", "lost", "others")
-        return {name: getattr(self, name) for name in names}
+        return {name: getattr(self, name) for name in self.__slots__ if not name.startswith("_")}
 
     def verify(self, sample: int = 100, *, threads: int = 0) -> dict[str, Any]:
         """Looks through the parts: content, notes and inputs of each, and that no row is missing. ``sample`` rows are proved
@@ -141,7 +141,7 @@ def sweep(
             made.kept += 1
             made._add(there)
     done = 0
-    with Bar(progress, sum(rows.values())) as bar:
+    with telling(progress, sum(rows.values())) as tell:
         for part, counts, fault, ends in run(made.folder, base, list(rows), workers):
             if ends:
                 raise OSError(fault)
@@ -151,7 +151,7 @@ def sweep(
                 made.computed += 1
                 made._add(counts)
             done += rows[part]
-            bar(done)
+            tell(done)
     made.lost.sort()
     return made
 
@@ -166,9 +166,8 @@ def _part(folder: str, base: str, threads: int, part: int) -> Done:
         return part, None, str(error), True
 
 
-def _engine(engine: Any) -> Callable[[str, str, list[int], int], Iterator[Done]]:
-    known: dict[Any, Callable[[str, str, list[int], int], Iterator[Done]]]
-    known = {None: _threads, "processes": _processes, "ray": _ray, "dask": partial(_dask, None)}
+def _engine(engine: Any) -> Engine:
+    known: dict[Any, Engine] = {None: _threads, "processes": _processes, "ray": _ray, "dask": partial(_dask, None)}
     if hasattr(engine, "submit") and hasattr(engine, "scheduler_info"):
         return partial(_dask, engine)
     if engine is not None and not isinstance(engine, str) or engine not in known:
@@ -291,9 +290,7 @@ class _Toml:
         self._value(number, name, value)
 
     def _value(self, number: int, name: str, value: Any) -> None:
-        if hasattr(value, "tolist"):
-            # Of NumPy.
-            value = value.tolist()
+        value = of_numpy(value)
         is_table = hasattr(value, "items")
         if not is_table and not isinstance(value, (list, tuple, range)):
             self.line += _plain(value)

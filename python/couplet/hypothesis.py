@@ -37,11 +37,8 @@ _SHARED = st.integers(3, 40)
 
 
 def half_openings(hard: bool | None = None) -> SearchStrategy[str]:
-    """Half openings as exact texts: ordinary decimals from 0.01 to 3.14; hard ones: tiny, next to half a turn, exact fractions of pi.
-
-    Args:
-        hard: True for hard ones alone, False for ordinary ones alone.
-    """
+    """Half openings as exact texts: ordinary decimals from 0.01 to 3.14; hard ones (``hard=True`` alone, False: none): tiny, next to
+    half a turn, exact fractions of pi."""
     tiny = st.builds("{}e-{}".format, st.integers(1, 9), st.integers(3, 60))
     wide = st.builds(lambda nines: f"0.{'9' * nines}pi", st.integers(1, 30))
     exact = st.builds("{}pi/12".format, st.integers(1, 11))
@@ -49,11 +46,8 @@ def half_openings(hard: bool | None = None) -> SearchStrategy[str]:
 
 
 def frictions(hard: bool | None = None) -> SearchStrategy[str]:
-    """Frictions as exact texts: ordinary coefficients from 0.01 to 4; hard ones: none, tiny, huge and unlimited, tangents of exact angles.
-
-    Args:
-        hard: True for hard ones alone, False for ordinary ones alone.
-    """
+    """Frictions as exact texts: ordinary coefficients from 0.01 to 4; hard ones (``hard=True`` alone, False: none): none, tiny, huge
+    and unlimited, tangents of exact angles."""
     special = st.sampled_from(["0", "inf", "1e80", "1e-30"])
     tangents = st.builds("tan(pi/{})".format, st.integers(3, 60))
     angles = st.builds("{}deg".format, st.integers(1, 89))
@@ -61,11 +55,8 @@ def frictions(hard: bool | None = None) -> SearchStrategy[str]:
 
 
 def thicknesses(hard: bool | None = None) -> SearchStrategy[str]:
-    """Ratios of thickness to radius as exact texts: ordinary ones from 0.001 to 2; hard ones: tiny, and next to 2.
-
-    Args:
-        hard: True for hard ones alone, False for ordinary ones alone.
-    """
+    """Ratios of thickness to radius as exact texts: ordinary ones from 0.001 to 2; hard ones (``hard=True`` alone, False: none): tiny,
+    and next to 2."""
     tiny = st.builds("1e-{}".format, st.integers(4, 60))
     thick = st.one_of(st.just("2"), st.builds(lambda nines: f"1.{'9' * nines}", st.integers(1, 30)))
     return _either(_decimals("0.001", "2"), st.one_of(thick, tiny), hard)

@@ -3,19 +3,19 @@
 
 use crate::pool::{on_one_thread, on_threads};
 use crate::{CoupletError, UndecidedError, told};
-use couplet::arch::SelfWeight;
 use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven, notes};
 use couplet::certify::quantities;
 use couplet::certify::state::{Balls, Certify};
 use couplet::cli::{self, doors};
 use couplet::door::find::{self as sought, FindTarget};
-use couplet::problem::{Arch, Landmark, Line, Mode, Quantity};
+use couplet::problem::{Arch, Line, Mode, Quantity};
 use couplet::report::{Answer, Claims, Extent, Format, Reported, Style, TiltDrawing, Understood};
 use couplet::sweep::failure::Failure;
 use couplet::sweep::{answer, parse, surveyed as survey};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fmt::Display;
 
@@ -47,53 +47,34 @@ pub(crate) fn modes() -> Vec<&'static str> {
 #[pyfunction]
 pub(crate) fn constants<'py>(
     py: Python<'py>,
-    landmarks: Vec<String>,
+    landmark: &str,
     weight: &str,
     names: Vec<String>,
     digits: &str,
     threads: usize,
-) -> PyResult<Vec<Bound<'py, PyDict>>> {
-    let read = |name: &String| parse::landmark(name).map_err(wrong);
-    let landmarks: Vec<Landmark> = match landmarks.is_empty() {
-        true => Landmark::ALL.to_vec(),
-        false => landmarks.iter().map(read).collect::<PyResult<_>>()?,
+) -> PyResult<Bound<'py, PyDict>> {
+    let landmark = parse::landmark(landmark).map_err(wrong)?;
+    let &[weight] = parse::weights(weight).map_err(wrong)? else {
+        return Err(wrong("one weight at a time: heyman or milankovitch"));
     };
-    let weights = parse::weights(weight).map_err(wrong)?;
     let wanted = names.iter().map(|name| parse::quantity(name).map_err(wrong));
     let wanted: Vec<Quantity> = wanted.collect::<PyResult<_>>()?;
     let digits = parse::digits(digits).map_err(wrong)?;
-    let is_wanted = move |of: &Quantity| wanted.is_empty() || wanted.contains(of);
-    let answer = move |(landmark, weight): (Landmark, SelfWeight)| {
-        let asked: Vec<_> =
-            quantities(landmark).filter(&is_wanted).map(|of| (of, digits)).collect();
+    let found = on_threads(py, threads, move || {
+        let is_wanted = |of: &Quantity| wanted.is_empty() || wanted.contains(of);
+        let asked: Vec<_> = quantities(landmark).filter(is_wanted).map(|of| (of, digits)).collect();
         let found = answer::landmark((landmark, weight), &asked);
         found.unwrap_or_else(|error| Answer::landmark((landmark, weight), Err(&error)))
-    };
-    let points: Vec<_> =
-        weights.iter().flat_map(|&weight| landmarks.iter().map(move |&of| (of, weight))).collect();
-    let found: Vec<Answer> =
-        on_threads(py, threads, move || points.into_par_iter().map(answer).collect())?;
-    found.iter().map(|found| told::answer(py, found)).collect()
+    })?;
+    told::answer(py, &found)
 }
 
-/// The half opening and the friction of an arch, and what else there is in the order of [`Field::ALL`].
-pub(crate) type Texts<'a> = (Option<&'a str>, Option<&'a str>, Option<Vec<Option<String>>>);
+/// The texts of an arch, by the names of its fields.
+pub(crate) type Texts = BTreeMap<String, String>;
 
 /// An arch that is asked about.
-pub(crate) fn asked((half_opening, friction, others): Texts<'_>) -> ArchAsked {
-    let mut asked = ArchAsked::default();
-    let first = [half_opening, friction].map(|text| text.map(str::to_owned));
-    let texts = first.into_iter().chain(others.into_iter().flatten());
-    for (field, text) in Field::ALL.iter().zip(texts) {
-        *asked.at(*field) = text;
-    }
-    asked
-}
-
-/// Tells whether a text is meant as a range.
-#[pyfunction]
-pub(crate) fn is_range(text: &str) -> bool {
-    couplet::number::is_range(text)
+pub(crate) fn asked(texts: &Texts) -> ArchAsked {
+    ArchAsked::of(texts.iter().filter_map(|(name, text)| Some((Field::named(name)?, &**text))))
 }
 
 /// Warns of what may have been meant otherwise.
@@ -109,7 +90,7 @@ pub(crate) fn given(
     py: Python<'_>,
     question: &ArchQuestion,
     weight: &str,
-    texts: Texts<'_>,
+    texts: &Texts,
 ) -> PyResult<(ArchGiven, Arch)> {
     let weight = parse::weight(weight).map_err(wrong)?;
     let given = ArchGiven::read(question, &asked(texts), Spelling::Key).map_err(wrong)?;
@@ -128,19 +109,19 @@ pub(crate) fn fields() -> Vec<&'static str> {
 pub(crate) fn state<'py>(
     py: Python<'py>,
     weight: &str,
-    texts: Texts<'_>,
+    texts: Texts,
     digits: &str,
     frictions: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (measures, arch) = match texts {
+    let (measures, arch) = match (texts.get("half_opening"), texts.get("friction")) {
         // There is nothing to be understood of most arches.
-        (Some(half_opening), Some(friction), None) => {
+        (Some(half_opening), Some(friction)) if texts.len() == 2 => {
             let arch = parse::arch([weight, half_opening, friction]).map_err(wrong)?;
             warn(py, notes([arch.friction()]))?;
             (None, arch)
         }
         _ => {
-            let (given, arch) = given(py, &doors::STATE, weight, texts)?;
+            let (given, arch) = given(py, &doors::STATE, weight, &texts)?;
             (given.measures, arch)
         }
     };
@@ -156,10 +137,10 @@ pub(crate) fn state<'py>(
 pub(crate) fn assess<'py>(
     py: Python<'py>,
     weight: &str,
-    texts: Texts<'_>,
+    texts: Texts,
     digits: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (given, arch) = given(py, &doors::ASSESS, weight, texts)?;
+    let (given, arch) = given(py, &doors::ASSESS, weight, &texts)?;
     let ArchGiven { thickness, measures, .. } = given;
     let eta = thickness.ok_or_else(|| wrong("thickness is missing"))?;
     let digits = parse::digits(digits).map_err(wrong)?;
@@ -177,10 +158,10 @@ pub(crate) fn surveyed(
     py: Python<'_>,
     question: &str,
     weight: &str,
-    texts: Texts<'_>,
+    texts: Texts,
     digits: &str,
 ) -> PyResult<Option<String>> {
-    let asked = asked(texts);
+    let asked = asked(&texts);
     if !asked.has_range() {
         return Ok(None);
     }
@@ -202,7 +183,7 @@ pub(crate) fn voussoirs<'py>(
     py: Python<'py>,
     question: &str,
     weight: &str,
-    texts: Texts<'_>,
+    texts: Texts,
     digits: &str,
 ) -> PyResult<(String, Vec<[Bound<'py, PyDict>; 2]>)> {
     let question = match question {
@@ -210,8 +191,8 @@ pub(crate) fn voussoirs<'py>(
         "assess" => &doors::ASSESS,
         _ => &doors::VOUSSOIRS,
     };
-    let (given, arch) = given(py, question, weight, texts.clone())?;
-    let understood = Understood::new(&asked(texts), &given);
+    let (given, arch) = given(py, question, weight, &texts)?;
+    let understood = Understood::new(&asked(&texts), &given);
     let digits = parse::digits(digits).map_err(wrong)?;
     let made = on_threads(py, 1, move || {
         doors::of_stones((understood, &given), &[arch], (digits, digits))
@@ -227,12 +208,12 @@ pub(crate) fn voussoirs<'py>(
 pub(crate) fn tilted<'py>(
     py: Python<'py>,
     weight: &str,
-    texts: Texts<'_>,
+    texts: Texts,
     digits: &str,
     command: Option<String>,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
-    let (given, arch) = given(py, &doors::ASSESS, weight, texts.clone())?;
-    let understood = Understood::new(&asked(texts), &given);
+    let (given, arch) = given(py, &doors::ASSESS, weight, &texts)?;
+    let understood = Understood::new(&asked(&texts), &given);
     let (Some(eta), Some(tilt)) = (given.thickness.clone(), given.tilt.clone()) else {
         return Err(wrong("thickness, tilt are missing"));
     };
@@ -270,11 +251,11 @@ pub(crate) fn find<'py>(
     py: Python<'py>,
     target: (&str, Option<&str>),
     weight: &str,
-    texts: Texts<'_>,
+    texts: Texts,
     digits: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
     let weight = parse::weight(weight).map_err(wrong)?;
-    let question = sought::question(target_of(target)?, &asked(texts), Spelling::Key);
+    let question = sought::question(target_of(target)?, &asked(&texts), Spelling::Key);
     let question = question.map_err(failed)?;
     warn(py, notes(question.friction()))?;
     let digits = parse::digits(digits).map_err(wrong)?;

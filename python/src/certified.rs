@@ -4,7 +4,7 @@ use crate::asked::{Texts, asked, given, warn, wrong};
 use crate::pool::on_threads;
 use crate::{UndecidedError, told};
 use couplet::Error;
-use couplet::ask::{ArchAsked, Field, Spelling, SurveyGiven, notes};
+use couplet::ask::{ArchAsked, Spelling, SurveyGiven, notes};
 use couplet::certify;
 use couplet::check::{Certificate, Refusal, SurveyCertificate};
 use couplet::cli::doors;
@@ -46,18 +46,17 @@ pub(crate) fn certify_landmark(
 pub(crate) fn certify_arch(
     py: Python<'_>,
     weight: &str,
-    texts: Texts<'_>,
+    texts: Texts,
     digits: &str,
     threads: usize,
 ) -> PyResult<String> {
-    let ranges = asked(texts.clone());
+    let ranges = asked(&texts);
     if ranges.has_range() {
         return certify_survey(py, weight, &ranges, digits, threads);
     }
-    let thickness = Field::Thickness as usize - 2;
-    let has_thickness = texts.2.as_ref().and_then(|texts| texts.get(thickness)?.as_ref()).is_some();
+    let has_thickness = texts.contains_key("thickness");
     let question = if has_thickness { &doors::CERTIFY_ARCH } else { &doors::CERTIFY_STATE };
-    let (given, arch) = given(py, question, weight, texts)?;
+    let (given, arch) = given(py, question, weight, &texts)?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let made = move || certify::certify_arch(&arch, given.thickness.as_ref(), digits);
     written(on_threads(py, 1, made)?, Certificate::write)
@@ -84,11 +83,11 @@ fn certify_survey(
 pub(crate) fn certify_asymmetric(
     py: Python<'_>,
     weight: &str,
-    texts: Texts<'_>,
+    texts: Texts,
     mode: Option<&str>,
     digits: &str,
 ) -> PyResult<String> {
-    let (_, arch) = given(py, &doors::CERTIFY_ASYMMETRIC, weight, texts)?;
+    let (_, arch) = given(py, &doors::CERTIFY_ASYMMETRIC, weight, &texts)?;
     if !arch.is_limited() {
         return Err(wrong("an asymmetric solution needs a limited friction"));
     }

@@ -5,7 +5,7 @@
 //! |---|---|
 //! | `asked` | one question at a time |
 //! | `certified` | certificates, and their check |
-//! | `rows` | many arches, in arrays of doubles |
+//! | `rows` | many searches |
 //! | `tables` | the rows of a table, in doubles or exact texts |
 //! | `told` | an answer as Python gets it |
 //! | `sweeps` | any number of arches, in Parquet files |
@@ -39,13 +39,13 @@ pyo3::create_exception!(
 mod _core {
     #[pymodule_export]
     use super::asked::{
-        assess, claims, command, constants, fields, find, is_range, modes, prove, quantity_name,
-        run, state, surveyed, tilted, voussoirs,
+        assess, claims, command, constants, fields, find, modes, prove, quantity_name, run, state,
+        surveyed, tilted, voussoirs,
     };
     #[pymodule_export]
     use super::certified::{certify_arch, certify_asymmetric, certify_landmark, check};
     #[pymodule_export]
-    use super::rows::{finds, states};
+    use super::rows::finds;
     #[cfg(feature = "parquet")]
     #[pymodule_export]
     use super::sweeps::{sweep_begin, sweep_part, sweep_survey, sweep_verify};

@@ -1,9 +1,7 @@
 //! The rows of a table: doubles or exact texts in each column, read as `couplet states` reads those of a file.
 
-use crate::CoupletError;
-use crate::asked::warn;
+use crate::asked::{warn, wrong};
 use crate::pool::{is_short, on_threads};
-use crate::rows::{Bytes, quantities};
 use bytemuck::{cast_slice, pod_collect_to_vec};
 use couplet::arch::SelfWeight;
 use couplet::ask::{Field, array_note, notes};
@@ -24,9 +22,6 @@ use std::borrow::Cow;
 /// With so many digits a decimal number tells the double.
 const DIGITS: usize = 17;
 
-/// The code of no side.
-const NO_SIDE: i8 = i8::MIN;
-
 /// The cells of a column: doubles, as the bytes of an array, or texts.
 #[derive(Clone, FromPyObject)]
 pub(crate) enum Column {
@@ -38,9 +33,20 @@ fn of_bytes(bytes: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     Ok(pod_collect_to_vec(&bytes.extract::<PyBackedBytes>()?))
 }
 
-/// Verdicts and modes, for each quantity the nearest doubles and the sides of the true values, as bytes of arrays; and
-/// the reasons of the rows without a verdict.
-type Answered<'py> = (Bytes<'py>, Bytes<'py>, Vec<(Bytes<'py>, Bytes<'py>)>, Vec<(usize, String)>);
+/// The bytes of an array.
+type Bytes<'py> = Bound<'py, PyBytes>;
+
+/// Verdicts and modes, for each quantity the nearest doubles with their bounds, as bytes of arrays; and the reasons of
+/// the rows without a verdict.
+type Answered<'py> = (Bytes<'py>, Bytes<'py>, Vec<Vec<Bytes<'py>>>, Vec<(usize, String)>);
+
+/// The quantities of these names, of those that arches with or without a thickness have.
+fn quantities(names: &[String], has_thickness: bool) -> PyResult<Vec<Quantity>> {
+    let possible =
+        if has_thickness { &Quantity::ASSESSMENT_ROW[..] } else { &Quantity::STATE_ROW[..] };
+    let named = |name: &String| parse::quantity_of(name, possible).map_err(wrong);
+    names.iter().map(named).collect()
+}
 
 /// The arches of the rows of a table, whose columns are named as for `couplet states`, `theirs=ours:deg`.
 #[pyfunction]
@@ -52,30 +58,18 @@ pub(crate) fn table<'py>(
     names: Vec<String>,
     threads: usize,
 ) -> PyResult<Answered<'py>> {
-    let weight = parse::weight(weight).map_err(CoupletError::new_err)?;
-    let columns = Columns::named(&columns, Purpose::Ask).map_err(CoupletError::new_err)?;
+    let weight = parse::weight(weight).map_err(wrong)?;
+    let columns = Columns::named(&columns, Purpose::Ask).map_err(wrong)?;
     let quantities = quantities(&names, columns.has(Field::Thickness))?;
     let is_short = is_short(cells.first().map_or(0, Column::len), &quantities);
     let table = Table { columns, cells, weight };
     warn(py, table.note())?;
-    let answer = move || {
-        let found = table.answers(&quantities)?;
-        let sides = |quantity| {
-            let side = |row| found.side(quantity, row).and_then(|side| i8::try_from(side).ok());
-            let rows = 0..found.verdicts.len();
-            rows.map(|row| side(row).unwrap_or(NO_SIDE)).collect::<Vec<i8>>()
-        };
-        let sides = (0..quantities.len()).map(sides).collect::<Vec<_>>();
-        Ok((found, sides))
-    };
+    let answer = move || table.answers(&quantities);
     let found = if is_short { py.detach(answer) } else { on_threads(py, threads, answer)? };
-    let (found, sides) =
-        found.map_err(|refused: Refused| CoupletError::new_err(refused.to_string()))?;
-    let values = found.values.iter().zip(&sides).map(|([numbers, ..], sides)| {
-        (PyBytes::new(py, cast_slice(numbers)), PyBytes::new(py, cast_slice(sides)))
-    });
+    let found = found.map_err(wrong)?;
+    let bytes = |column: &Vec<f64>| PyBytes::new(py, cast_slice(column));
+    let values = found.values.iter().map(|columns| columns.iter().map(bytes).collect()).collect();
     let (verdicts, modes) = (found.verdict_codes(), PyBytes::new(py, &found.modes));
-    let values = values.collect();
     Ok((PyBytes::new(py, &verdicts), modes, values, found.reasons.into_iter().collect()))
 }
 

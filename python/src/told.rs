@@ -26,9 +26,7 @@ pub(crate) fn answer<'py>(py: Python<'py>, answer: &Answer) -> PyResult<Bound<'p
     let (landmark, weight) = (answer.subject.landmark(), answer.subject.weight());
     all.set_item("landmark", landmark.map(|landmark| landmark.symbol()))?;
     all.set_item("weight", weight.map(|weight| weight.name()))?;
-    if let Some(circle) = answer.measured_at {
-        all.set_item("measured_at", circle.name())?;
-    }
+    all.set_item("measured_at", answer.measured_at.map(|circle| circle.name()))?;
     all.set_item("status", answer.status.name())?;
     all.set_item("search", answer.search())?;
     all.set_item("can_stand", answer.can_stand)?;
