@@ -92,8 +92,8 @@ fn table(texts: &[[String; 3]]) -> Vec<Kept> {
 
 /// A sweep of a plan from nothing, and how many of its rows have which verdict.
 fn sweep(plan: &str, folder: &Path) -> [u64; 4] {
-    let plan = read_sweep(plan.as_bytes()).unwrap_or_else(|_| panic!("the plan is one"));
-    let sweep = Sweep::new(&plan, folder, folder).unwrap();
+    let (plan, _) = read_sweep(plan.as_bytes()).unwrap_or_else(|_| panic!("the plan is one"));
+    let sweep = Sweep::new(plan, folder, folder).unwrap();
     sweep.prepare().unwrap();
     let parts: Vec<usize> = (0..sweep.parts()).collect();
     let part = |&part: &usize| sweep.compute(part).unwrap();
@@ -193,10 +193,10 @@ fn main() {
             "{head}[grid]\nhalf_opening = {{ from = \"20deg\", to = \"140deg\", steps = {SIDE} }}\n\
              friction = {{ from = 0.02, to = 2, steps = {SIDE} }}\n"
         );
-        let read = read_sweep(plan.as_bytes()).unwrap_or_else(|_| panic!("the plan is one"));
-        let SweepArches::Grid { half_openings, frictions } = read.arches else { panic!() };
-        let half_openings: Vec<String> = half_openings.iter().map(ToString::to_string).collect();
-        let frictions: Vec<String> = frictions.iter().map(ToString::to_string).collect();
+        let (read, _) = read_sweep(plan.as_bytes()).unwrap_or_else(|_| panic!("the plan is one"));
+        let SweepArches::Grid { half_opening, friction } = read.arches else { panic!() };
+        let half_openings: Vec<String> = half_opening.iter().map(ToString::to_string).collect();
+        let frictions: Vec<String> = friction.iter().map(ToString::to_string).collect();
         beside("grid", &plan, || (grid(&half_openings, &frictions), Duration::ZERO));
     }
     if asks("sample") {

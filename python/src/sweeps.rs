@@ -49,11 +49,11 @@ pub(crate) fn sweep_begin(
         };
         faults.iter().map(line).collect()
     };
-    let plan =
+    let (plan, notes) =
         read_sweep(plan).map_err(|faults| CoupletError::new_err(lines(&faults).join("\n")))?;
-    let notes = lines(&plan.notes);
+    let notes = lines(&notes);
     py.detach(|| {
-        let sweep = Sweep::new(&plan, &base, &output).map_err(wrong)?;
+        let sweep = Sweep::new(plan, &base, &output).map_err(wrong)?;
         let others = sweep.others();
         sweep.prepare().map_err(wrong)?;
         Ok((sweep.folder().to_owned(), others, sweep.bad_files(), notes))

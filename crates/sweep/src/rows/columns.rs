@@ -36,20 +36,17 @@ pub struct Columns {
 impl Columns {
     /// Our own names.
     pub fn own(purpose: Purpose) -> Self {
-        let columns = purpose.roles().into_iter().flat_map(|role| {
+        let mut all = Vec::new();
+        for role in purpose.roles() {
             // Where arches are asked about a name may have its unit behind it.
             let units = if purpose == Purpose::Ask { role.units() } else { &[] };
-            let units = std::iter::once("").chain(units.iter().copied());
-            units.flat_map(move |unit| {
-                let theirs = move |name: &str| match unit {
-                    "" => name.to_owned(),
-                    unit => plain(&format!("{name}_{unit}")).into_owned(),
-                };
-                let column = move |name: &str| RowColumn { theirs: theirs(name), role, unit };
-                role.names(purpose).into_iter().map(column)
-            })
-        });
-        Self { all: columns.collect(), named: false, purpose, kept: Vec::new() }
+            for unit in std::iter::once("").chain(units.iter().copied()) {
+                let theirs = |name: &str| plain(&format!("{name} {unit}")).into_owned();
+                let column = |name| RowColumn { theirs: theirs(name), role, unit };
+                all.extend(role.names(purpose).into_iter().map(column));
+            }
+        }
+        Self { all, named: false, purpose, kept: Vec::new() }
     }
 
     /// Columns as they are named on the command line, `theirs=ours` or `theirs=ours:deg`; our own names if

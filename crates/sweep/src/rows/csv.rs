@@ -23,10 +23,17 @@ pub struct TextRows {
 /// A row as it is written.
 struct RawRecord {
     bytes: Vec<u8>,
-    /// The lines of its beginning and behind its end.
-    lines: [u64; 2],
-    /// The length of its first line.
-    first: usize,
+    /// The number of its first line.
+    line: u64,
+    /// The ends of its lines.
+    ends: Vec<usize>,
+}
+
+impl RawRecord {
+    /// Gives back what is read behind one of its lines: a quote too many has swallowed it.
+    fn give_back(&self, lines: &mut InputLines, line: u64) {
+        lines.give_back(&self.bytes[self.ends[(line - self.line) as usize]..], line + 1);
+    }
 }
 
 /// Quotes of a row, as far as it has been read.
@@ -93,7 +100,7 @@ impl TextRows {
         });
         let bytes = match (names, first) {
             (Some(names), Some(row)) if is_header_of(&names, &row.bytes) => {
-                lines.give_back(&row.bytes, row.lines[0]);
+                lines.give_back(&row.bytes, row.line);
                 names
             }
             (_, Some(row)) => row.bytes,
@@ -180,7 +187,7 @@ impl TextRows {
     /// change where the next one begins.
     pub fn pass(&mut self) -> Option<u64> {
         let (line, record) = self.record()?;
-        if let Some(record) = record.ok().filter(|record| record.lines[1] > line + 1) {
+        if let Some(record) = record.ok().filter(|record| record.ends.len() > 1) {
             // Whether they are a row decides what is read again.
             let _ = self.fields(&record);
         }
@@ -190,20 +197,17 @@ impl TextRows {
     /// The fields of a row, as many as the header has. What is read over several lines and makes no row is
     /// given back but for its first line: a quote too many has swallowed the others.
     fn fields(&mut self, record: &RawRecord) -> Result<Vec<String>, String> {
-        let (width, [first, end]) = (self.header.len(), record.lines);
+        let (width, count) = (self.header.len(), record.ends.len());
         let is_read = |place: usize| self.read.as_ref().is_none_or(|read| read.contains(&place));
         let Some(dialect) = self.dialect else { return Ok(Vec::new()) };
         let fields = dialect.fields(&record.bytes, is_read);
         if fields.as_ref().is_ok_and(|fields| fields.len() == width) {
             return fields;
         }
-        let has_several_lines = end > first + 1;
-        if has_several_lines {
-            self.lines.give_back(&record.bytes[record.first..], first + 1);
-        }
-        let why = match has_several_lines {
-            true => format!(", up to a quote that closes in line {}", end - 1),
-            false => "; a field with commas has to be quoted".to_owned(),
+        record.give_back(&mut self.lines, record.line);
+        let why = match count {
+            1 => "; a field with commas has to be quoted".to_owned(),
+            _ => format!(", up to a quote that closes in line {}", record.line + count as u64 - 1),
         };
         Err(format!("{} fields where the header has {width}{why}", fields?.len()))
     }
@@ -258,16 +262,14 @@ fn next(
 ) -> io::Result<Option<Result<RawRecord, String>>> {
     let first = lines.number;
     let fault = |message: String| Ok(Some(Err(message)));
-    let mut record = RawRecord { bytes: Vec::new(), lines: [first, first], first: 0 };
+    let mut record = RawRecord { bytes: Vec::new(), line: first, ends: Vec::new() };
     let mut quotes = Quotes { state: QuoteState::Start, opened: first, is_spoiled: false };
-    // The ends of what has been read, and of the line in which the open quote stands.
-    let (mut passed, mut resume) = (0, 0);
     loop {
-        let line = lines.number;
+        let (line, passed) = (lines.number, record.bytes.len());
         match lines.next_into(&mut record.bytes)? {
             Reading::Line => {}
             Reading::End if record.bytes.is_empty() => return Ok(None),
-            Reading::TooLong if record.lines[1] == first => {
+            Reading::TooLong if record.ends.is_empty() => {
                 lines.skip()?;
                 return fault(format!("a line of more than {MAX_RECORD} bytes"));
             }
@@ -277,29 +279,19 @@ fn next(
                     Reading::TooLong => format!(" within {MAX_RECORD} bytes"),
                     _ => String::new(),
                 };
-                lines.give_back(&record.bytes[resume..], quotes.opened + 1);
+                record.give_back(lines, quotes.opened);
                 return fault(format!(
                     "the quote that opens in line {} is not closed{within}",
                     quotes.opened
                 ));
             }
         }
+        record.ends.push(record.bytes.len());
         if let Some(separators) = separators {
             quotes.pass(&record.bytes[passed..], line, separators);
         }
-        passed = record.bytes.len();
-        record.lines[1] = lines.number;
-        if record.first == 0 {
-            record.first = passed;
-        }
-        if quotes.opened == line {
-            resume = passed;
-        }
-        if quotes.is_spoiled && line > first {
-            // A quote too many has swallowed the lines behind the first.
-            lines.give_back(&record.bytes[record.first..], first + 1);
-        }
         if quotes.is_spoiled {
+            record.give_back(lines, first);
             return fault(format!(
                 "a quote that opens in line {} closes within a field",
                 quotes.opened

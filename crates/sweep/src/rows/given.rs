@@ -15,7 +15,7 @@ pub struct GivenRows {
     pub columns: Columns,
     /// Spelling of the numbers.
     pub spelling: NumberStyle,
-    /// The names of what is handed on, where the rows are those of a table.
+    /// The names of what is handed on; of rows of JSON those that are asked for.
     pub kept: Vec<String>,
     /// The rows.
     pub rows: Box<dyn Iterator<Item = Numbered<ReadRow>> + Send>,
@@ -31,11 +31,11 @@ impl GivenRows {
     ) -> Result<Self, Failure> {
         match syntax {
             Syntax::Csv => Ok(Self::of_text(TextRows::open(input)?, columns, keep)?),
-            Syntax::Json => {
-                // Each row has keys of its own.
-                let kept = keep.names(in_lines)?;
-                Ok(Self { kept, ..Self::of_objects(objects(input), columns, keep) })
+            // Each row has keys of its own.
+            Syntax::Json if !in_lines && keep == Keep::All => {
+                Err("JSON rows have no common columns: name those to keep, --keep id,name".into())
             }
+            Syntax::Json => Ok(Self::of_objects(objects(input), columns, keep)),
         }
     }
 
@@ -61,13 +61,14 @@ impl GivenRows {
         columns: Columns,
         keep: Keep,
     ) -> Self {
-        let columns = columns.beside(keep.named());
+        let kept = keep.named();
+        let columns = columns.beside(kept.clone());
         let of = columns.clone();
         let read = move |bytes: Vec<u8>| {
             let object = JsonObject::parse(&bytes)?;
             Ok(ReadRow { cells: of.cells(&object)?, kept: keep.entries(&object, &of) })
         };
         let rows = Box::new(objects.map(move |(line, row)| (line, row.and_then(&read))));
-        Self { columns, spelling: NumberStyle::default(), kept: Vec::new(), rows }
+        Self { columns, spelling: NumberStyle::default(), kept, rows }
     }
 }

@@ -59,19 +59,6 @@ impl Keep {
         names.into_iter().map(place).collect()
     }
 
-    /// The names of what is handed on from JSON, where that is known before the rows are: `lines` says whether
-    /// rows need no common columns.
-    pub fn names(&self, lines: bool) -> Result<Vec<String>, String> {
-        match self {
-            Self::Named(names) => Ok(names.clone()),
-            Self::All if lines => Ok(Vec::new()),
-            Self::All => {
-                Err("JSON rows have no common columns: name those to keep, --keep id,name"
-                    .to_owned())
-            }
-        }
-    }
-
     /// A row of a table, by the places of its cells and of what is handed on.
     pub fn row(mut row: Vec<String>, places: &[usize], kept: &[(String, usize)]) -> ReadRow {
         let text = |place: &usize| Some(Kept::Text(row.get(*place)?.clone()));

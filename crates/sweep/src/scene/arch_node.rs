@@ -1,6 +1,6 @@
 //! An arch: its state is proved once, and what is asked of each thickness.
 
-use super::computable::{ARCH, Computable, Done, Shared};
+use super::computable::{Computable, Shared};
 use super::expected;
 use super::same::arch_key;
 use crate::certify::state::{Answer, AssessmentDigits, Inquiry, Wanted};
@@ -68,12 +68,13 @@ impl<'s> ArchNode<'s> {
     }
 
     /// The most digits that are asked for.
-    fn digits(&self) -> usize {
+    pub(super) fn digits(&self) -> usize {
         let thicknesses = self.thicknesses.keys().map(|(_, digits)| *digits);
         self.states.keys().copied().chain(thicknesses).max().unwrap_or(1)
     }
 
-    fn piece(&self, shared: &Shared) -> ArchPiece {
+    /// Proves what is asked of it.
+    pub(super) fn piece(&self, shared: &Shared) -> ArchPiece {
         if let Some(asked) = self.shared()
             && let Some(openings) = shared.openings.get(&asked)
         {
@@ -96,10 +97,6 @@ impl Computable for ArchNode<'_> {
         arch_key(self.arch)
     }
 
-    fn size(&self) -> usize {
-        ARCH.max(self.digits())
-    }
-
     fn lines(&self) -> Vec<String> {
         let (alpha, mu) = (self.arch.half_opening(), self.arch.friction());
         let mut lines = vec![
@@ -118,9 +115,5 @@ impl Computable for ArchNode<'_> {
             format!("to {digits} digits, thickness {eta}: {what}")
         }));
         lines
-    }
-
-    fn compute(&self, shared: &Shared, _: &(dyn Fn() + Sync)) -> Done {
-        Box::new(self.piece(shared))
     }
 }

@@ -4,7 +4,7 @@
 use super::same::given_key;
 use super::schema::{FIELDS, MAX_ARCHES};
 use super::table::TableReader;
-use super::value::{TomlReader, TomlValue};
+use super::value::{Entry, TomlReader, TomlValue};
 use crate::ask::{
     ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Range, Spelling, boxes, steps,
 };
@@ -64,15 +64,15 @@ pub(super) fn axes(
     }
     let measured = is_measured(table);
     let axes = given.into_iter().filter_map(|(field, value)| {
-        AxisReader { reader: table.reader, field, ranges, measured }.axis(value)
+        AxisReader { field, ranges, measured }.axis(table.reader, value)
     });
     let axes: Vec<ArchAxis> = axes.collect();
     table.is_well_since(before).then_some(axes)
 }
 
 /// Reader of the values of a key.
-struct AxisReader<'r, 's> {
-    reader: &'r mut TomlReader<'s>,
+#[derive(Clone, Copy)]
+struct AxisReader {
     field: Field,
     /// True if the values may be ranges, and boxes of them.
     ranges: bool,
@@ -80,52 +80,49 @@ struct AxisReader<'r, 's> {
     measured: bool,
 }
 
-impl AxisReader<'_, '_> {
+impl AxisReader {
     /// A key: numbers at equal distances, ranges that touch, or a list of texts, each once. `None` if any is wrong.
-    fn axis(&mut self, value: &TomlValue) -> Option<ArchAxis> {
+    fn axis(self, reader: &mut TomlReader, value: &TomlValue) -> Option<ArchAxis> {
         if let DeValue::Table(parts) = value.get_ref() {
-            return self.range(value, parts);
+            return self.range(reader, value, parts);
         }
-        let Self { field, ranges, measured, .. } = *self;
-        let texts = self.reader.each_once(
-            (field.name(), value),
-            example(field),
-            |reader, (_, element)| AxisReader { reader, field, ranges, measured }.text(element),
-        )?;
-        Some(ArchAxis {
-            field,
-            count: texts.len(),
-            texts: Box::new(texts.into_iter()),
-            whole: None,
-        })
+        let (field, text) =
+            (self.field, |reader: &mut _, (_, value): Entry| self.text(reader, value));
+        let texts = reader.each_once((field.name(), value), example(field), text)?;
+        let (count, texts) = (texts.len(), Box::new(texts.into_iter()));
+        Some(ArchAxis { field, count, texts, whole: None })
     }
 
     /// `{ from, to, steps }`: so many numbers at equal distances, both ends included. `{ from, to, boxes }`: so many
     /// ranges that touch each other from end to end.
-    fn range(&mut self, value: &TomlValue, parts: &DeTable) -> Option<ArchAxis> {
-        let (before, field, name) = (self.reader.faults.len(), self.field, self.field.name());
+    fn range(
+        self,
+        reader: &mut TomlReader,
+        value: &TomlValue,
+        parts: &DeTable,
+    ) -> Option<ArchAxis> {
+        let (before, field, name) = (reader.faults.len(), self.field, self.field.name());
         let is_cut = parts.contains_key("boxes");
         let (key, least) = if is_cut { ("boxes", 1) } else { ("steps", 2) };
         if is_cut && !self.ranges {
             let message = format!(
                 "{name} is cut into boxes, which [[arches]] of a scene takes alone; give steps here"
             );
-            return self.reader.refuse(value.span(), message);
+            return reader.refuse(value.span(), message);
         }
         let keys = ["from", "to", key];
-        self.reader.unknown_keys(parts, "a range", &keys);
+        reader.unknown_keys(parts, "a range", &keys);
         for missing in keys.iter().filter(|key| !parts.contains_key(**key)) {
             let message =
                 format!("{name} has no {missing}; a range is {{ from = …, to = …, {key} = … }}");
-            self.reader.fault(value.span(), message);
+            reader.fault(value.span(), message);
         }
         // An end is one number.
-        self.ranges = false;
-        let [lower, upper] =
-            ["from", "to"].map(|end| parts.get(end).and_then(|end| Some(self.text(end)?.1)));
-        let count = parts.get(key).and_then(|of| self.reader.whole((key, of), least..=MAX_ARCHES));
+        let end = Self { ranges: false, ..self };
+        let [lower, upper] = ["from", "to"].map(|key| Some(end.text(reader, parts.get(key)?)?.1));
+        let count = parts.get(key).and_then(|of| reader.whole((key, of), least..=MAX_ARCHES));
         let (of, count) = (Range { lower: lower?, upper: upper? }, count?);
-        if self.reader.faults.len() > before {
+        if reader.faults.len() > before {
             return None;
         }
         let text = |of: &Range| format!("{}{BETWEEN}{}", of.lower, of.upper);
@@ -136,25 +133,25 @@ impl AxisReader<'_, '_> {
         };
         match texts {
             Ok(texts) => Some(ArchAxis { field, count, texts, whole }),
-            Err(error) => self.reader.refuse(value.span(), format!("{name}: {error}")),
+            Err(error) => reader.refuse(value.span(), format!("{name}: {error}")),
         }
     }
 
     /// One text, with a key that is the same for the same number, however it is written: `0.1` is one tenth with and
     /// without quotes.
-    fn text(&mut self, value: &TomlValue) -> Option<(String, String)> {
+    fn text(self, reader: &mut TomlReader, value: &TomlValue) -> Option<(String, String)> {
         let Some(text) = TomlReader::literal(value) else {
-            return self.reader.reject((self.field.name(), value), example(self.field));
+            return reader.reject((self.field.name(), value), example(self.field));
         };
         let text = text.strip_prefix('+').unwrap_or(text).to_owned();
         match self.key(&text) {
             Ok(key) => Some((key, text)),
-            Err(misfit) => self.reader.refuse(value.span(), misfit.message),
+            Err(misfit) => reader.refuse(value.span(), misfit.message),
         }
     }
 
     /// Key of a text, if it makes sense by itself.
-    fn key(&self, text: &str) -> Result<String, Misfit> {
+    fn key(self, text: &str) -> Result<String, Misfit> {
         let asked = ArchAsked::of([(self.field, text)]);
         let key = if self.measured && self.field == Field::Thickness {
             None

@@ -1,6 +1,6 @@
 //! An arch that is drawn: at its least thickness, at a landmark, as it stands, or where it slides.
 
-use super::computable::{Computable, Done, Shared};
+use super::computable::Computable;
 use super::same::{arch_key, number_key};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchGiven, Misfit};
@@ -96,9 +96,5 @@ impl Computable for DrawnArch {
             Pose::Sliding(arch, eta) => format!("sliding of {}, thickness {eta},", of(arch)),
         };
         vec![format!("{stones}{pose} {}", self.weight().name())]
-    }
-
-    fn compute(&self, _: &Shared, _: &(dyn Fn() + Sync)) -> Done {
-        Box::new(self.sketch())
     }
 }

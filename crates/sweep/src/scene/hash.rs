@@ -14,7 +14,8 @@ fn hexadecimal(hash: Sha256) -> String {
 
 /// Writer that writes through, and knows the hash of what was written.
 pub struct Hashing<W> {
-    inner: W,
+    /// The writer.
+    pub inner: W,
     hash: Sha256,
 }
 
@@ -24,20 +25,9 @@ impl<W> Hashing<W> {
         Self { inner, hash: Sha256::new() }
     }
 
-    /// The writer.
-    #[cfg(feature = "parquet")]
-    pub(crate) fn inner(&self) -> &W {
-        &self.inner
-    }
-
     /// SHA-256 of all that was written.
     pub fn hash(self) -> String {
-        self.end().1
-    }
-
-    /// The writer, and SHA-256 of all that was written.
-    pub(crate) fn end(self) -> (W, String) {
-        (self.inner, hexadecimal(self.hash))
+        hexadecimal(self.hash)
     }
 }
 

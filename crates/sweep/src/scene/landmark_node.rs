@@ -1,6 +1,6 @@
 //! A landmark: isolated once, and refined to the most digits that any item asks for.
 
-use super::computable::{Computable, Done, Shared};
+use super::computable::Computable;
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Constant, Enclosed, Error, fingerprint, quantities};
 use crate::judge::enclosed;
@@ -50,22 +50,24 @@ impl LandmarkNode {
             }
         }
     }
+
+    /// The most digits that are asked for.
+    pub(super) fn digits(&self) -> usize {
+        self.asked.iter().map(|(_, digits)| *digits).max().unwrap_or(0)
+    }
+
+    /// Number of times that it reports progress.
+    pub(super) fn ticks(&self) -> u64 {
+        match self.asked.len() {
+            0 => 0,
+            asked => CertifiedLandmark::ticks_of(self.landmark, asked),
+        }
+    }
 }
 
 impl Computable for LandmarkNode {
     fn key(&self) -> String {
         format!("{} {}", self.landmark.symbol(), self.weight.name())
-    }
-
-    fn size(&self) -> usize {
-        self.asked.iter().map(|(_, digits)| *digits).max().unwrap_or(0)
-    }
-
-    fn ticks(&self) -> Option<u64> {
-        Some(match self.asked.len() {
-            0 => 0,
-            asked => CertifiedLandmark::ticks_of(self.landmark, asked),
-        })
     }
 
     fn lines(&self) -> Vec<String> {
@@ -87,14 +89,11 @@ impl Computable for LandmarkNode {
         }
         lines
     }
-
-    fn compute(&self, _: &Shared, tick: &(dyn Fn() + Sync)) -> Done {
-        Box::new(LandmarkPiece::new(self, tick))
-    }
 }
 
 impl LandmarkPiece {
-    fn new(node: &LandmarkNode, tick: &(dyn Fn() + Sync)) -> Result<Self, Error> {
+    /// Proves what is asked of it.
+    pub(super) fn new(node: &LandmarkNode, tick: &(dyn Fn() + Sync)) -> Result<Self, Error> {
         let point = CertifiedLandmark::new(node.landmark, node.weight)?;
         let constants = match node.asked.as_slice() {
             [] => Vec::new(),

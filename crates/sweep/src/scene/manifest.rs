@@ -33,7 +33,7 @@ struct ManifestEntry {
 }
 
 /// The most bytes of a record; that of the most items that a scene can have is far smaller.
-pub(crate) const MAX_RECORD: u64 = 16 << 20;
+pub(super) const MAX_RECORD: u64 = 16 << 20;
 
 /// The bytes of a record, of a run or of a sweep; an error of the kind `InvalidData` if they are more than one can
 /// have.

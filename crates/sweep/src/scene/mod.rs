@@ -11,7 +11,7 @@
 //! | `item_report` | what an item asked for, as a report |
 //! | `explain` | the plan as a tree, with what it leaves out and what `expected` says of the arches |
 //! | `manifest`, `hash` | which outputs are complete, told by their content |
-//! | `read_sweep` | the plan of a sweep, `couplet.sweep/1` |
+//! | `read_sweep`, `sweep_record` | the plan of a sweep, `couplet.sweep/1`, and its one form, which names it |
 //!
 //! ```
 //! use couplet_sweep::scene::{Plan, SceneRun, read};
@@ -58,6 +58,7 @@ mod same;
 mod scene_map;
 mod schema;
 mod survey_node;
+mod sweep_record;
 mod table;
 mod value;
 
@@ -70,20 +71,21 @@ pub use hash::Hashing;
 #[cfg(feature = "parquet")]
 pub(crate) use hash::hash_of;
 pub use item_report::ItemReport;
-#[cfg(feature = "parquet")]
-pub(crate) use manifest::{MAX_RECORD, content_of, record_bytes};
 pub use manifest::{Manifest, NAME as MANIFEST};
+#[cfg(feature = "parquet")]
+pub(crate) use manifest::{content_of, record_bytes};
 pub use plan::Plan;
 pub use read::{read, read_bytes};
-#[cfg(feature = "parquet")]
-pub(crate) use read_sweep::{MAX_CHUNK, MAX_SAMPLE};
-pub use read_sweep::{
-    SWEEP_DIGITS, SWEEP_EXAMPLE, SWEEP_SCHEMA, SweepArches, SweepPlan, read_sweep,
-};
+pub use read_sweep::{SWEEP_EXAMPLE, read_sweep};
 pub use run::{Costs, SceneRun, answered};
 pub use same::contour_key;
 pub use scene_map::{MapLine, SceneMap};
 pub use schema::{
     EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, Request, SCHEMA, Scene, SceneArch,
     SceneBoxes, SceneDrawing, SceneItem, SceneSurvey,
+};
+#[cfg(feature = "parquet")]
+pub(crate) use sweep_record::VERSION;
+pub use sweep_record::{
+    DataFile, FilePiece, GROUP, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepRecord, TextSlice,
 };

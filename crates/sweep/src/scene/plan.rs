@@ -84,12 +84,31 @@ impl<'s> Work<'s> {
         self.computed().1
     }
 
+    /// The work, in digits of landmarks that take as long.
+    fn size(&self) -> usize {
+        match self {
+            Self::Landmark(node) => node.digits(),
+            Self::Arch(node) => ARCH.max(node.digits()),
+            Self::Claim(_) | Self::Curve(_) => LONG,
+            Self::Drawing(_) | Self::Survey(_) => ARCH,
+        }
+    }
+
+    /// Number of times that it reports progress.
+    fn ticks(&self) -> u64 {
+        if let Self::Landmark(node) = self { node.ticks() } else { 1 }
+    }
+
     /// Words for its kind.
     pub(super) fn kind(&self) -> (&'static str, &'static str) {
         Self::KINDS[self.computed().0]
     }
 }
 
+/// An arch takes about as long as a landmark of this many digits.
+const ARCH: usize = 200;
+/// A claim, or a curve of the map, as long as one of this many.
+const LONG: usize = 10_000;
 /// The digits of the landmarks on a page.
 pub(super) const PAGE_DIGITS: usize = 15;
 
@@ -109,12 +128,12 @@ impl<'s> Plan<'s> {
 
     /// Sizes of the parts, in digits of landmarks that take as long.
     pub fn sizes(&self) -> Vec<usize> {
-        self.parts.iter().map(|part| part.work.of().size()).collect()
+        self.parts.iter().map(|part| part.work.size()).collect()
     }
 
     /// Number of times that the run reports progress.
     pub fn ticks(&self) -> u64 {
-        self.parts.iter().map(|part| part.work.of().ticks().unwrap_or(1)).sum()
+        self.parts.iter().map(|part| part.work.ticks()).sum()
     }
 
     /// Adds what an item takes, which is the last.

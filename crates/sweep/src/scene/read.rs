@@ -6,9 +6,7 @@ use super::read_arches::arches;
 use super::read_drawing::drawing;
 use super::read_map::{map, read_figure};
 use super::read_output::{OutputFiles, output, print};
-use super::schema::{
-    DIGITS, ItemKind, MAX_ITEMS, RANGE_DIGITS, Request, SCENE_KEYS, SCHEMA, Scene, SceneItem,
-};
+use super::schema::{DIGITS, ItemKind, MAX_ITEMS, Request, SCENE_KEYS, SCHEMA, Scene, SceneItem};
 use super::table::TableReader;
 use super::value::{Entry, TomlReader};
 use crate::arch::SelfWeight;
@@ -36,12 +34,9 @@ fn scene(reader: &mut TomlReader, root: &DeTable) -> Option<Vec<SceneItem>> {
     let keys: Vec<&str> = SCENE_KEYS.into_iter().chain(ItemKind::ALL.map(ItemKind::name)).collect();
     reader.unknown_keys(root, "a scene", &keys);
     let mut whole = TableReader { reader, span: 0..0, table: root };
-    let digits = whole.digits(DIGITS);
+    let digits = whole.if_given("digits", TomlReader::digits);
     let weights = whole.if_given("weight", TomlReader::weights);
-    if root.contains_key("digits") {
-        reader.range_digits = digits.unwrap_or(RANGE_DIGITS);
-    }
-    (reader.digits, reader.weights) = (digits.unwrap_or(DIGITS), weights.flatten());
+    (reader.digits, reader.weights) = (digits.flatten(), weights.flatten());
     let mut tables = tables(reader, root);
     if let Some((_, span, _)) = tables.get(MAX_ITEMS) {
         reader.fault(span.clone(), format!("a scene has at most {MAX_ITEMS} items"));
@@ -111,7 +106,7 @@ fn item(
 fn constants(table: &mut TableReader) -> Option<Request> {
     let points = points(table);
     let quantities = table.quantities(&Quantity::LANDMARK);
-    let digits = table.digits(table.reader.digits);
+    let digits = table.digits(DIGITS);
     let (points, quantities, digits) = (points?, quantities?, digits?);
     let exists = |quantity| points.iter().any(|(l, _)| quantities_of(*l).any(|q| q == quantity));
     if let Some(value) = table.get("quantities") {

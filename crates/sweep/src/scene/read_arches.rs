@@ -1,7 +1,9 @@
 //! Reading from TOML to arches, or to arches between two ends where any value is a range.
 
 use super::axes::{ArchAxis, axes, example, is_measured, product};
-use super::schema::{MAX_RANGES, MeasuredArch, Request, SceneArch, SceneBoxes, SceneSurvey};
+use super::schema::{
+    DIGITS, MAX_RANGES, MeasuredArch, RANGE_DIGITS, Request, SceneArch, SceneBoxes, SceneSurvey,
+};
 use super::table::TableReader;
 use super::value::TomlValue;
 use crate::arch::SelfWeight;
@@ -44,8 +46,7 @@ pub(super) fn arches(
         Quantity::of_arch(has(Field::Thickness), measured.then(|| has(Field::Density)))
     };
     let quantities = quantities(table, &known);
-    let usual = if ranges { table.reader.range_digits } else { table.reader.digits };
-    let digits = table.digits(usual);
+    let digits = table.digits(if ranges { RANGE_DIGITS } else { DIGITS });
     let (weights, axes, quantities, digits) = (weights?, axes?, quantities?, digits?);
     if ranges {
         return surveys(table, axes, &weights, (quantities, digits), used);

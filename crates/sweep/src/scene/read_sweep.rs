@@ -1,73 +1,24 @@
-//! The plan of a sweep, `couplet.sweep/1`, and reading from TOML to it, or to everything that is wrong with it. Keys
-//! may be added, none changes its meaning.
+//! Reading from TOML to the plan of a sweep, `couplet.sweep/1`, or to everything that is wrong with it. Keys may be
+//! added, none changes its meaning.
 
 use super::axes::axes;
 use super::fault::Fault;
+use super::sweep_record::{
+    DataFile, MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepRecord, VERSION,
+};
 use super::table::TableReader;
 use super::value::{Entry, TomlReader};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchGiven, ArchQuestion};
 use crate::certify::MAX_DIGITS;
-use crate::number::ExactNumber;
-use crate::problem::{Friction, Quantity};
+use crate::problem::Quantity;
 use toml::de::{DeTable, DeValue};
-
-/// The name and the version of the schema: of a plan, of its record, and of the parts that are written.
-pub const SWEEP_SCHEMA: &str = "couplet.sweep/1";
 
 /// A plan with every key and what it means, which is itself a plan.
 pub const SWEEP_EXAMPLE: &str = include_str!("sweep.toml");
 
-/// Digits that tell the nearest double; with more a value is written as text too.
-pub const SWEEP_DIGITS: usize = 17;
-
-/// The most arches of a sample.
-pub(crate) const MAX_SAMPLE: usize = 10_000_000_000;
-/// The most rows of a part.
-pub(crate) const MAX_CHUNK: usize = 100_000_000;
-
-/// Many arches, and what is asked of each.
-#[derive(Clone, Debug)]
-pub struct SweepPlan {
-    /// The weights of a grid, in the order in which they are swept; of a data set one, that of the rows without.
-    pub weights: Vec<SelfWeight>,
-    /// The values that are computed, in the order of [`Quantity::STATE_ROW`].
-    pub quantities: Vec<Quantity>,
-    /// Significant digits.
-    pub digits: usize,
-    /// Rows of a part, if the plan says how many.
-    pub chunk: Option<usize>,
-    /// The arches.
-    pub arches: SweepArches,
-    /// Remarks on what is swept all the same.
-    pub notes: Vec<Fault>,
-}
-
-/// The arches of a sweep.
-#[derive(Clone, Debug)]
-pub enum SweepArches {
-    /// Every weight with every half opening and every friction, in this order.
-    Grid {
-        /// Half openings in `(0, pi)`, rad.
-        half_openings: Vec<ExactNumber>,
-        /// The frictions.
-        frictions: Vec<Friction>,
-    },
-    /// Arches drawn from a seed.
-    Sample {
-        /// Number of arches.
-        count: usize,
-        /// Seed that the first are drawn from.
-        seed: u64,
-        /// True if the arches are hard ones.
-        hard: bool,
-    },
-    /// The rows of files: paths as they are written.
-    Data {
-        /// Files, one after the other.
-        files: Vec<String>,
-    },
-}
+/// The arches of one weight, and how many they are.
+type OfOneWeight = (u64, SweepArches);
 
 /// The kinds of arches, of which a plan has one: the table, its keys, and its reader.
 const KINDS: [Kind; 3] = [
@@ -75,18 +26,18 @@ const KINDS: [Kind; 3] = [
     ("sample", &["count", "seed", "hard"], sample),
     ("data", &["files"], data),
 ];
-type Kind = (&'static str, &'static [&'static str], fn(&mut TableReader) -> Option<SweepArches>);
+type Kind = (&'static str, &'static [&'static str], fn(&mut TableReader) -> Option<OfOneWeight>);
 
 const KEYS: [&str; 8] =
     ["schema", "weight", "quantities", "digits", "chunk", "grid", "sample", "data"];
 
-/// Reads a plan from a file's bytes. Nothing is computed; the faults are all there are, in the order of the file.
-pub fn read_sweep(bytes: &[u8]) -> Result<SweepPlan, Vec<Fault>> {
-    let (plan, notes) = TomlReader::file(bytes, "a plan", SWEEP_SCHEMA, plan)?;
-    Ok(SweepPlan { notes, ..plan })
+/// Reads a plan from a file's bytes: the record of its sweep as far as the plan tells it, and remarks on what is swept
+/// all the same. Nothing is computed; the faults are all there are, in the order of the file.
+pub fn read_sweep(bytes: &[u8]) -> Result<(SweepRecord, Vec<Fault>), Vec<Fault>> {
+    TomlReader::file(bytes, "a plan", SWEEP_SCHEMA, plan)
 }
 
-fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
+fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepRecord> {
     reader.unknown_keys(root, "a plan", &KEYS);
     let mut table = TableReader { reader, span: 0..0, table: root };
     let given = table.if_given("weight", TomlReader::weights);
@@ -96,7 +47,7 @@ fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
     };
     let digits =
         table.or("digits", SWEEP_DIGITS, |reader, at| reader.whole(at, SWEEP_DIGITS..=MAX_DIGITS));
-    let chunk = table.if_given("chunk", |reader, at| reader.whole(at, 1..=MAX_CHUNK));
+    let chunk = table.or("chunk", 0, |reader, at| reader.whole(at, 1..=MAX_CHUNK));
     let (kind, arches) = arches(&mut table)?;
     let given = given?;
     table.span = table.get("weight").map_or(0..0, |value| value.span());
@@ -107,18 +58,21 @@ fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
         }
         _ => {}
     }
-    Some(SweepPlan {
-        weights: given.unwrap_or(vec![SelfWeight::Milankovitch]),
+    let (weights, (count, arches)) = (given.unwrap_or(vec![SelfWeight::Milankovitch]), arches?);
+    Some(SweepRecord {
+        schema: SWEEP_SCHEMA.to_owned(),
+        couplet: VERSION.to_owned(),
         quantities: quantities?,
         digits: digits?,
-        chunk: chunk?,
-        arches: arches?,
-        notes: Vec::new(),
+        rows: weights.len() as u64 * count,
+        chunk: chunk? as u64,
+        weights,
+        arches,
     })
 }
 
 /// The kind of the arches, and the arches if nothing is wrong with them.
-fn arches(plan: &mut TableReader) -> Option<(&'static str, Option<SweepArches>)> {
+fn arches(plan: &mut TableReader) -> Option<(&'static str, Option<OfOneWeight>)> {
     let there = KINDS.into_iter().filter_map(|kind| Some((kind, plan.get(kind.0)?)));
     let ((kind, keys, read), value) = match there.collect::<Vec<_>>()[..] {
         [one] => one,
@@ -136,36 +90,38 @@ fn arches(plan: &mut TableReader) -> Option<(&'static str, Option<SweepArches>)>
     Some((kind, read(&mut table)))
 }
 
-fn grid(table: &mut TableReader) -> Option<SweepArches> {
-    let (mut half_openings, mut frictions) = (Vec::new(), Vec::new());
+fn grid(table: &mut TableReader) -> Option<OfOneWeight> {
+    let (mut half_opening, mut friction) = (Vec::new(), Vec::new());
     for axis in axes(table, Some(&ArchQuestion::ANY), false)? {
         for part in axis.parts(table) {
-            let ArchGiven { half_opening, friction, .. } = part?;
-            half_openings.extend(half_opening);
-            frictions.extend(friction);
+            let of: ArchGiven = part?;
+            half_opening.extend(of.half_opening);
+            friction.extend(of.friction);
         }
     }
-    table.remark_on(&frictions);
-    Some(SweepArches::Grid { half_openings, frictions })
+    table.remark_on(&friction);
+    let count = half_opening.len() as u64 * friction.len() as u64;
+    Some((count, SweepArches::Grid { half_opening, friction }))
 }
 
-fn sample(table: &mut TableReader) -> Option<SweepArches> {
+fn sample(table: &mut TableReader) -> Option<OfOneWeight> {
     let count = match table.get("count") {
         Some(value) => table.reader.whole(("count", value), 1..=MAX_SAMPLE),
         None => table.refuse("count is missing; give a whole number"),
     };
     let seed = table.or("seed", 1, |reader, at| reader.whole(at, 0..=usize::MAX >> 1));
     let hard = table.truth("hard");
-    Some(SweepArches::Sample { count: count?, seed: seed? as u64, hard: hard? })
+    Some((count? as u64, SweepArches::Sample { seed: seed? as u64, hard: hard? }))
 }
 
-fn data(table: &mut TableReader) -> Option<SweepArches> {
+fn data(table: &mut TableReader) -> Option<OfOneWeight> {
     let Some(value) = table.get("files") else {
         return table.refuse("files is missing; give paths, as \"arches.csv\"");
     };
     let read = |reader: &mut TomlReader, at| path(reader, at).map(|path| (path.clone(), path));
     let files = table.reader.each_once(("files", value), "paths of files", read);
-    files.map(|files| SweepArches::Data { files })
+    let file = |file: String| DataFile { file, ..DataFile::default() };
+    files.map(|all| (0, SweepArches::Data { files: all.into_iter().map(file).collect() }))
 }
 
 fn path(reader: &mut TomlReader, at: Entry) -> Option<String> {
@@ -188,19 +144,20 @@ mod tests {
 
     #[test]
     fn the_example_is_a_plan_whichever_table_it_has() {
-        let plan = read_sweep(SWEEP_EXAMPLE.as_bytes()).unwrap();
-        let SweepArches::Grid { half_openings, frictions } = plan.arches else { panic!() };
-        assert_eq!((half_openings.len(), frictions.len(), plan.chunk), (40, 100, Some(4000)));
-        assert_eq!(half_openings[39].to_string(), "140deg");
+        let (plan, _) = read_sweep(SWEEP_EXAMPLE.as_bytes()).unwrap();
+        let SweepArches::Grid { half_opening, friction } = plan.arches else { panic!() };
+        assert_eq!((half_opening.len(), friction.len()), (40, 100));
+        assert_eq!((plan.rows, plan.chunk), (4000, 4000));
+        assert_eq!(half_opening[39].to_string(), "140deg");
         let head = "schema = \"couplet.sweep/1\"\n";
         for table in ["sample", "data"] {
             let lines = SWEEP_EXAMPLE.lines().skip_while(|line| *line != format!("# [{table}]"));
             let lines = lines.take_while(|line| !line.is_empty());
             let lines: Vec<&str> = lines.map(|line| line.trim_start_matches("# ")).collect();
-            let plan = read_sweep((head.to_owned() + &lines.join("\n")).as_bytes()).unwrap();
+            let (plan, _) = read_sweep((head.to_owned() + &lines.join("\n")).as_bytes()).unwrap();
             match plan.arches {
-                SweepArches::Sample { count, seed, hard } => {
-                    assert_eq!((count, seed, hard), (1_000_000, 1, false));
+                SweepArches::Sample { seed, hard } => {
+                    assert_eq!((plan.rows, seed, hard), (1_000_000, 1, false));
                 }
                 SweepArches::Data { files } => assert_eq!(files.len(), 2),
                 SweepArches::Grid { .. } => panic!("{table}"),
@@ -214,16 +171,16 @@ mod tests {
         let read = |rest: &str| {
             read_sweep(format!("schema = \"couplet.sweep/1\"\n{rest}").as_bytes()).unwrap()
         };
-        let plan = read("[data]\nfiles = [\"a\", \"a\"]\n");
+        let (plan, notes) = read("[data]\nfiles = [\"a\", \"a\"]\n");
         assert!(matches!(&plan.arches, SweepArches::Data { files } if files.len() == 1));
-        assert_eq!(plan.notes[0].message, "files \"a\" is listed twice and counts once");
-        let plan = read(
+        assert_eq!(notes[0].message, "files \"a\" is listed twice and counts once");
+        let (plan, notes) = read(
             "[grid]\nhalf_opening = [1, \"1.0\"]\nfriction = [\"31deg\", 1, \"tan(31deg)\"]\n",
         );
-        let SweepArches::Grid { half_openings, frictions } = plan.arches else { panic!() };
-        let frictions: Vec<String> = frictions.iter().map(ToString::to_string).collect();
-        assert_eq!((half_openings.len(), frictions), (1, vec!["tan(31deg)".into(), "1".into()]));
-        assert_eq!(plan.notes.len(), 2);
+        let SweepArches::Grid { half_opening, friction } = plan.arches else { panic!() };
+        let friction: Vec<String> = friction.iter().map(ToString::to_string).collect();
+        assert_eq!((half_opening.len(), friction), (1, vec!["tan(31deg)".into(), "1".into()]));
+        assert_eq!(notes.len(), 2);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use super::computable::{Done, Shared};
 use super::cost::{Cost, measured};
 use super::item_report::ItemReport;
+use super::landmark_node::LandmarkPiece;
 use super::plan::{Plan, Work};
 use super::schema::{ItemKind, Request, Scene};
 use crate::picture::Print;
@@ -58,20 +59,28 @@ impl<'p> SceneRun<'p> {
         missing.retain(|place| self.done[*place].is_none());
         missing.sort_unstable();
         missing.dedup();
-        let work = |place: &usize| {
-            let node = parts[*place].work.of();
-            let done = node.compute(&self.shared, tick);
-            if node.ticks().is_none() {
-                tick();
-            }
-            done
-        };
+        let work = |place: &usize| computed(&parts[*place].work, &self.shared, tick);
         let results = measured(&missing, work);
         for (place, (result, cost)) in missing.into_iter().zip(results) {
             (self.done[place], self.costs.0[place]) = (Some(result), Some(cost));
         }
         ItemReport::new(self.plan, &self.done, index)
     }
+}
+
+/// Result of a part, of the type that its kind has.
+fn computed(work: &Work, shared: &Shared, tick: &(dyn Fn() + Sync)) -> Done {
+    let done: Done = match work {
+        // It reports its progress itself.
+        Work::Landmark(node) => return Box::new(LandmarkPiece::new(node, tick)),
+        Work::Arch(node) => Box::new(node.piece(shared)),
+        Work::Claim(claim) => Box::new(claim.decide()),
+        Work::Curve(node) => Box::new(node.piece(shared)),
+        Work::Drawing(drawn) => Box::new(drawn.sketch()),
+        Work::Survey(node) => node.done(),
+    };
+    tick();
+    done
 }
 
 /// The answer to one request, as that of a scene that asks for nothing else.

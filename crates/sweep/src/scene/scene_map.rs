@@ -1,6 +1,6 @@
 //! A map that is asked for, by a command or by a scene, and its lines, each of which is proved once.
 
-use super::computable::{Computable, Done, LONG, Shared};
+use super::computable::{Computable, Shared};
 use crate::arch::SelfWeight;
 use crate::atlas::{Border, Contour, Curve, Level, NoLevel, Trace};
 use crate::problem::Landmark;
@@ -89,7 +89,7 @@ pub(super) enum CurvePiece {
 
 impl CurveNode {
     /// Follows it from end to end.
-    fn piece(&self, shared: &Shared) -> Result<CurvePiece, NoLevel> {
+    pub(super) fn piece(&self, shared: &Shared) -> Result<CurvePiece, NoLevel> {
         let undecided = |error| NoLevel::Undecided(self.to_string(), error);
         Ok(match &self.line {
             MapLine::Curve(curve) => {
@@ -113,16 +113,8 @@ impl Computable for CurveNode {
         self.lines().concat()
     }
 
-    fn size(&self) -> usize {
-        LONG
-    }
-
     fn lines(&self) -> Vec<String> {
         vec![format!("{self}, in tubes of {:?}", self.tolerance)]
-    }
-
-    fn compute(&self, shared: &Shared, _: &(dyn Fn() + Sync)) -> Done {
-        Box::new(self.piece(shared))
     }
 }
 

@@ -1,6 +1,6 @@
 //! All arches between two ends: proved together, for an answer of its own or for a row of a table of boxes.
 
-use super::computable::{Computable, Done, Shared};
+use super::computable::{Computable, Done};
 use super::read_arches::given;
 use super::schema::SceneSurvey;
 use crate::problem::Quantity;
@@ -23,7 +23,7 @@ pub(super) struct SurveyNode<'s> {
 }
 
 impl SurveyNode<'_> {
-    /// Answer about all of them, or why the question makes no sense.
+    /// Answer about all of them as it is, or why the question makes no sense.
     fn found(&self) -> Result<SurveyedArches, String> {
         let Self { survey, quantities, digits, rows } = self;
         let given = given(&survey.asked).map_err(|misfit| misfit.message)?;
@@ -31,6 +31,15 @@ impl SurveyNode<'_> {
         let proof = if rows.is_some() { ranges } else { surveyed };
         let found = proof(&survey.asked, &given, survey.weight, (quantities, *digits));
         found.map_err(|error| error.to_string())
+    }
+
+    /// Answer about all of them, or the cells of its row.
+    pub(super) fn done(&self) -> Done {
+        let found = self.found();
+        match self.rows {
+            None => Box::new(found.map(Arc::new)),
+            Some(rows) => Box::new(found.map(|found| Arc::new(rows.cell(&found)))),
+        }
     }
 }
 
@@ -48,13 +57,5 @@ impl Computable for SurveyNode<'_> {
             format!("every arch of {words}, {}", survey.weight.name()),
             format!("to {digits} digits: {names}"),
         ]
-    }
-
-    fn compute(&self, _: &Shared, _: &(dyn Fn() + Sync)) -> Done {
-        let found = self.found();
-        match self.rows {
-            None => Box::new(found.map(Arc::new)),
-            Some(rows) => Box::new(found.map(|found| Arc::new(rows.cell(&found)))),
-        }
     }
 }

@@ -4,7 +4,6 @@ use super::schema::ItemKind;
 use super::value::{Entry, TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{Field, Misfit, notes, quoted};
-use crate::certify::MAX_DIGITS;
 use crate::problem::{Friction, Landmark, Quantity};
 use std::hash::Hash;
 use std::ops::Range;
@@ -62,9 +61,10 @@ impl<'a, 's> TableReader<'a, 's> {
         self.or("weight", usual, TomlReader::weights)
     }
 
-    /// Significant digits, so many where nothing is said.
+    /// Significant digits of the table: its own, those of the scene, or the usual ones.
     pub(super) fn digits(&mut self, usual: usize) -> Option<usize> {
-        self.or("digits", usual, |reader, at| reader.whole(at, 1..=MAX_DIGITS))
+        let usual = self.reader.digits.unwrap_or(usual);
+        self.or("digits", usual, TomlReader::digits)
     }
 
     /// Members of a list that a key names, all without it, in the order of the list.

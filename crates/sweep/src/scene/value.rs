@@ -1,9 +1,10 @@
 //! TOML values of the types that a scene has; any other type is a fault.
 
 use super::fault::{Fault, SceneText};
-use super::schema::{DIGITS, MAX_BYTES, RANGE_DIGITS};
+use super::schema::MAX_BYTES;
 use crate::arch::SelfWeight;
 use crate::ask::Field;
+use crate::certify::MAX_DIGITS;
 use crate::report::words::{did_you_mean, list, shortened};
 use std::collections::HashSet;
 use std::fmt::Display;
@@ -22,10 +23,8 @@ pub(super) struct TomlReader<'s> {
     pub source: SceneText<'s>,
     pub faults: Vec<Fault>,
     pub notes: Vec<Fault>,
-    /// Significant digits of items that say nothing else.
-    pub digits: usize,
-    /// Significant digits of the ends of ranges, of such items.
-    pub range_digits: usize,
+    /// Significant digits of items that say nothing else, if the scene says so.
+    pub digits: Option<usize>,
     /// Weights of items that say nothing else, if the scene says so.
     pub weights: Option<Vec<SelfWeight>>,
 }
@@ -44,8 +43,7 @@ impl<'s> TomlReader<'s> {
             source: SceneText::new(text),
             faults: Vec::new(),
             notes: Vec::new(),
-            digits: DIGITS,
-            range_digits: RANGE_DIGITS,
+            digits: None,
             weights: None,
         };
         let found = if bytes.len() > MAX_BYTES {
@@ -181,6 +179,11 @@ impl<'s> TomlReader<'s> {
             let (least, most) = allowed.into_inner();
             self.reject(at, &format!("a whole number from {least} to {most}"))
         })
+    }
+
+    /// Significant digits.
+    pub(super) fn digits(&mut self, at: Entry) -> Option<usize> {
+        self.whole(at, 1..=MAX_DIGITS)
     }
 
     /// The elements of a list, or the value itself.

@@ -1,6 +1,6 @@
 //! Number of rows that make a part: at most half a minute of work if the sweep has many, on any machine of today.
 
-use crate::scene::{SweepArches, SweepPlan};
+use crate::scene::{SweepArches, SweepRecord};
 
 /// Proofs of single arches that take half a minute one by one: 15 µs each. A part has then 60 to 200 MB.
 const PART: f64 = 2_000_000.0;
@@ -8,13 +8,6 @@ const PART: f64 = 2_000_000.0;
 const SMALLEST: f64 = 6_500.0;
 /// Parts that a sweep is divided among, until they are as large as parts are.
 const PARTS: f64 = 64.0;
-/// The most parts of a sweep: they are listed, and their folders have a thousand each.
-pub(super) const MAX_PARTS: u64 = 1_000_000;
-/// The most rows of a part that are held in memory at a time, in about 600 bytes a row: a row group of its file. It is
-/// a multiple of what is drawn from one seed.
-pub(super) const GROUP: u64 = 125_000;
-/// The most rows of a row group of a grid, which share their numbers.
-pub(super) const GRID_GROUP: u64 = 500_000;
 /// Cost of a half opening, paid once, and each of its frictions, in single arches: most share what is proved
 /// once. Measured on 400 half openings by 1,000 frictions.
 const COLUMN: f64 = 3.0;
@@ -25,19 +18,19 @@ const SHORT: usize = 25;
 const ROW: f64 = 30.0;
 
 /// The most rows of a part; the files of a data set have so many bytes.
-pub(super) fn rows_of_a_part(plan: &SweepPlan, bytes: u64) -> u64 {
-    if let Some(chunk) = plan.chunk {
-        return chunk as u64;
+pub(super) fn rows_of_a_part(plan: &SweepRecord, bytes: u64) -> u64 {
+    if plan.chunk > 0 {
+        return plan.chunk;
     }
     // Of numbers of MPFR, by and large.
     let longer = if plan.digits > SHORT { 8.0 + plan.digits as f64 / 50.0 } else { 1.0 };
     let part = |work: f64| (work / PARTS).clamp(SMALLEST, PART);
     let rows = match &plan.arches {
-        SweepArches::Grid { half_openings, frictions } => {
+        SweepArches::Grid { half_opening, friction } => {
             let is_shared = !plan.quantities.iter().any(|of| of.is_friction());
-            let frictions = frictions.len() as f64;
+            let frictions = friction.len() as f64;
             let column = if is_shared { COLUMN + SHARED * frictions } else { frictions } * longer;
-            let columns = (half_openings.len() * plan.weights.len()) as f64;
+            let columns = (half_opening.len() * plan.weights.len()) as f64;
             let part = part(columns * column);
             match part < column {
                 // A column that is too long is divided.
@@ -45,7 +38,7 @@ pub(super) fn rows_of_a_part(plan: &SweepPlan, bytes: u64) -> u64 {
                 false => (part / column).floor() * frictions,
             }
         }
-        SweepArches::Sample { count, .. } => part(*count as f64 * longer) / longer,
+        SweepArches::Sample { .. } => part(plan.rows as f64 * longer) / longer,
         SweepArches::Data { .. } => part(bytes as f64 / ROW * longer) / longer,
     };
     (rows as u64).max(1)
@@ -60,7 +53,7 @@ mod tests {
     fn a_part_is_half_a_minute_and_a_short_sweep_has_several() {
         let rows = |rest: &str, bytes: u64| {
             let text = format!("schema = \"couplet.sweep/1\"\n{rest}\n");
-            rows_of_a_part(&read_sweep(text.as_bytes()).unwrap(), bytes)
+            rows_of_a_part(&read_sweep(text.as_bytes()).unwrap().0, bytes)
         };
         let sample = |count: &str| rows(&format!("[sample]\ncount = {count}"), 0);
         assert_eq!(sample("1_000_000_000"), 2_000_000);

@@ -2,7 +2,6 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `record` | what a sweep is, in one form; its name |
 //! | `cost` | how many rows make a part |
 //! | `queries`, `listed` | the rows of a part as they are asked |
 //! | `text` | the pieces of the files of a data set |
@@ -19,7 +18,6 @@ mod new_file;
 mod part_file;
 mod part_name;
 mod queries;
-mod record;
 mod store;
 #[allow(clippy::module_inception, reason = "the folder is named after what it does")]
 mod sweep;

@@ -48,7 +48,7 @@ impl NewFile {
 
     /// Makes the file young, by the clock of the file system, which other machines see too.
     fn refresh(&self) {
-        let _ = self.file.inner().set_len(self.bytes);
+        let _ = self.file.inner.set_len(self.bytes);
     }
 
     /// Writes some bytes behind the others.
@@ -59,14 +59,13 @@ impl NewFile {
 
     /// Makes the file appear.
     pub(super) fn appear(self, path: impl FnOnce(u64, &str) -> PathBuf) -> io::Result<()> {
-        let (file, hash) = self.file.end();
-        file.sync_all()?;
+        self.file.inner.sync_all()?;
         if !self.unfinished.path().exists() {
             let words =
                 "another run has removed what was being written: it had not changed for an hour";
             return Err(io::Error::other(words));
         }
-        self.unfinished.appear(&path(self.bytes, &hash))
+        self.unfinished.appear(&path(self.bytes, &self.file.hash()))
     }
 }
 
@@ -80,7 +79,7 @@ pub(super) fn clear(folder: &Path, sweep: &str) -> io::Result<()> {
     if hidden.is_empty() {
         return Ok(());
     }
-    let now = NewFile::begin(folder, sweep)?.file.inner().metadata()?.modified()?;
+    let now = NewFile::begin(folder, sweep)?.file.inner.metadata()?.modified()?;
     for path in hidden {
         let Ok(time) = fs::metadata(&path).and_then(|there| there.modified()) else { continue };
         let age = now.duration_since(time).unwrap_or_else(|future| future.duration());
@@ -117,14 +116,14 @@ mod tests {
         let mut file = NewFile::begin(folder.path(), "sweep-a").unwrap();
         file.write_all(b"abc").unwrap();
         for old in [now - LONG, now + LONG] {
-            file.file.inner().set_modified(old).unwrap();
+            file.file.inner.set_modified(old).unwrap();
             file.refresh();
             clear(folder.path(), "sweep-a").unwrap();
         }
         assert!(kept.iter().all(|path| path.exists()) && !gone.iter().any(|path| path.exists()));
         assert_eq!(fs::read(file.unfinished.path()).unwrap(), b"abc");
         // One that its writer could not keep young.
-        file.file.inner().set_modified(now - LONG).unwrap();
+        file.file.inner.set_modified(now - LONG).unwrap();
         clear(folder.path(), "sweep-a").unwrap();
         let error = file.appear(|_, _| folder.path().join("part")).unwrap_err();
         assert!(error.to_string().starts_with("another run has removed"), "{error}");
@@ -136,8 +135,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = NewFile::begin(folder.path(), "sweep-a").unwrap();
         let old = SystemTime::now() - LONG;
-        let time = || file.file.inner().metadata().unwrap().modified().unwrap();
-        file.file.inner().set_modified(old).unwrap();
+        let time = || file.file.inner.metadata().unwrap().modified().unwrap();
+        file.file.inner.set_modified(old).unwrap();
         let is_young = || {
             thread::sleep(REFRESHED);
             time().duration_since(old).unwrap() > LONG / 2

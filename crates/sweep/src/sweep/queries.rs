@@ -1,7 +1,6 @@
 //! The rows of a part as they are asked.
 
 use super::listed::Listed;
-use super::record::{self, DataFile, SweepRecord};
 use super::strategies::samples;
 use super::text;
 use crate::arch::SelfWeight;
@@ -9,6 +8,7 @@ use crate::certify::batch::{BatchArches, InLanes, SharedOpening, grouped};
 use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction};
 use crate::report::GivenDoubles;
+use crate::scene::{SweepArches, SweepRecord};
 use ::parquet::data_type::ByteArray;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -107,7 +107,7 @@ const BLOCK: u64 = 1_000;
 
 /// Frictions of a grid; none of other sweeps.
 pub(super) fn frictions(record: &SweepRecord) -> Result<Vec<AxisNumber<Friction>>, String> {
-    let record::Arches::Grid { friction, .. } = &record.arches else { return Ok(Vec::new()) };
+    let SweepArches::Grid { friction, .. } = &record.arches else { return Ok(Vec::new()) };
     let one = ExactNumber::from(&rug::Rational::from(1));
     let read = |number: &Friction| {
         let arch = Arch::new(SelfWeight::Heyman, one.clone(), number.clone());
@@ -131,40 +131,26 @@ pub(super) fn queries<'a>(
     base: &Path,
 ) -> Result<PartQueries<'a>, String> {
     let arches = match &record.arches {
-        record::Arches::Grid { half_opening, .. } => {
+        SweepArches::Grid { half_opening, .. } => {
             PartArches::Grid(grid(&record.weights, half_opening, frictions, rows))
         }
-        record::Arches::Sample { seed, hard } => {
+        SweepArches::Sample { seed, hard } => {
             PartArches::Listed(Box::new(sample(*seed, *hard, rows)))
         }
-        record::Arches::Data { files } => {
-            PartArches::Listed(Box::new(data(record, files, rows, base)?))
-        }
+        SweepArches::Data { .. } => PartArches::Listed(Box::new(data(record, rows, base)?)),
     };
     Ok(PartQueries { first: rows.start, arches })
 }
 
-/// The rows of a piece of a file.
-fn data(
-    record: &SweepRecord,
-    files: &[DataFile],
-    rows: &Range<u64>,
-    base: &Path,
-) -> Result<Listed, String> {
+/// The rows of a slice of a file.
+fn data(record: &SweepRecord, rows: &Range<u64>, base: &Path) -> Result<Listed, String> {
     let weight = record.weights.first().copied().unwrap_or(SelfWeight::Milankovitch);
-    let mut first = 0;
-    for file in files {
-        for slice in &file.slices {
-            if first == rows.start {
-                let read = text::read(&base.join(&file.file), file.head.as_ref(), slice, weight);
-                let (lines, listed) = read.map_err(|error| format!("{}: {error}", file.file))?;
-                let origin = Some((ByteArray::from(file.file.as_str()), lines));
-                return Ok(Listed { origin, ..listed });
-            }
-            first += slice.rows;
-        }
-    }
-    Ok(Listed::default())
+    let Some((_, file, slice)) = record.slices().find(|(of, ..)| of == rows) else {
+        return Ok(Listed::default());
+    };
+    let read = text::read(&base.join(&file.file), file.head.as_ref(), slice, weight);
+    let (lines, listed) = read.map_err(|error| format!("{}: {error}", file.file))?;
+    Ok(Listed { origin: Some((ByteArray::from(file.file.as_str()), lines)), ..listed })
 }
 
 fn grid<'a>(

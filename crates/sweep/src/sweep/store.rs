@@ -5,10 +5,9 @@
 use super::new_file::{self, NewFile};
 use super::part_file::Notes;
 use super::part_name::{PartName, SHOWN};
-use super::record::{SweepRecord, VERSION};
 use crate::failure::Failure;
 use crate::report::words::shortened;
-use crate::scene::{content_of, record_bytes};
+use crate::scene::{SweepRecord, VERSION, content_of, record_bytes};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io;
@@ -231,11 +230,10 @@ impl Store {
                 is_ours &= !is_written || notes().are_of(&whole);
             }
             match (is_ours, is_written) {
-                (false, _) => return Ok(PartState::Foreign(path.clone())),
                 (true, true) if there == PartState::Missing => {
                     there = PartState::Whole(path.clone(), name.counts);
                 }
-                (true, true) => return Ok(PartState::Foreign(path.clone())),
+                (false, _) | (true, true) => return Ok(PartState::Foreign(path.clone())),
                 (true, false) if removes => fs::remove_file(&whole).map_err(failed)?,
                 (true, false) => {}
             }

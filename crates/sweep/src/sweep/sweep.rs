@@ -1,18 +1,19 @@
 //! A sweep: what it is, the folder of its parts, and the work that one part is. Nothing else has to be known to whoever
 //! shares the parts among processes or machines.
 
+use super::cost::rows_of_a_part;
 use super::part_file::Notes;
 use super::queries::{AxisNumber, PartQueries};
 use super::queries::{frictions, queries};
-use super::record::{Arches, DataFile, SweepRecord};
 use super::store::{PartState, Store};
-use super::table;
+use super::{table, text};
 use crate::certify::batch::{Batch, Threads};
 use crate::failure::Failure;
 use crate::problem::Friction;
 use crate::report::ParquetFile;
-use crate::scene::{SWEEP_DIGITS, SweepPlan};
+use crate::scene::{DataFile, GROUP, SWEEP_DIGITS, SweepArches, SweepRecord};
 use rayon::prelude::*;
+use std::fs;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -36,8 +37,8 @@ pub type SurveyedPart = (usize, Option<[u64; 4]>);
 impl Sweep {
     /// The sweep of a plan, with results in a folder of `output`; `base` is where the paths of a data set begin. The
     /// files of a data set are read once.
-    pub fn new(plan: &SweepPlan, base: &Path, output: &Path) -> Result<Self, Failure> {
-        let record = SweepRecord::new(plan, base);
+    pub fn new(plan: SweepRecord, base: &Path, output: &Path) -> Result<Self, Failure> {
+        let record = recorded(plan, base);
         record.check()?;
         Ok(Self::of(Store::new(output, &record), record, base))
     }
@@ -83,9 +84,8 @@ impl Sweep {
 
     /// The files of a data set that cannot be read, and why.
     pub fn bad_files(&self) -> Vec<String> {
-        let Arches::Data { files } = &self.record.arches else { return Vec::new() };
         let bad = |file: &DataFile| Some(format!("{}: {}", file.file, file.fault.as_ref()?));
-        files.iter().filter_map(bad).collect()
+        self.record.files().iter().filter_map(bad).collect()
     }
 
     /// Makes the folder, with the record of the sweep.
@@ -149,4 +149,22 @@ impl Sweep {
         self.store.put((part, self.parts()), counts, file).map_err(unwritten)?;
         Ok(counts)
     }
+}
+
+/// The record of a plan, with the rows of a part. The files of a data set, whose paths begin in a folder, are read
+/// once.
+fn recorded(mut record: SweepRecord, base: &Path) -> SweepRecord {
+    let path = |file: &DataFile| base.join(&file.file);
+    let length = |file: &DataFile| fs::metadata(path(file)).map_or(0, |there| there.len());
+    record.chunk = rows_of_a_part(&record, record.files().iter().map(length).sum());
+    if let SweepArches::Data { files } = &mut record.arches {
+        for file in files.iter_mut() {
+            match text::slices(&path(file), record.chunk.min(GROUP)) {
+                Ok((head, slices)) => (file.head, file.slices) = (head, slices),
+                Err(fault) => file.fault = Some(fault),
+            }
+        }
+        record.rows = files.iter().flat_map(|file| &file.slices).map(|slice| slice.rows).sum();
+    }
+    record
 }

@@ -9,34 +9,11 @@ use crate::rows::{
     ArchReader, BYTE_ORDER_MARK, Columns, GivenRows, Keep, Purpose, ReadRow, Role, TextRows,
     json_lines,
 };
-use crate::scene::hash_of;
-use serde::{Deserialize, Serialize};
+use crate::scene::{FilePiece, TextSlice, hash_of};
 use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
 use std::iter;
 use std::path::Path;
-
-/// Head of a text, which tells the columns: the header with all that was looked at to know it, which is the
-/// first row too where a remark is the header.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Head {
-    offset: u64,
-    bytes: u64,
-    sha256: String,
-}
-
-/// A piece: all that was looked at to know its rows. It may reach into the next one, where a quote is not closed.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct TextSlice {
-    pub rows: u64,
-    /// The number of its first line, from 1.
-    line: u64,
-    offset: u64,
-    bytes: u64,
-    sha256: String,
-}
 
 /// Formats that are no text, by their beginnings.
 const OTHERS: [(&[u8], &str); 7] = [
@@ -122,7 +99,10 @@ fn bytes_of(file: &mut File, offset: u64, length: u64) -> io::Result<Vec<u8>> {
 }
 
 /// The pieces of a file, with at most so many rows each, and the head of a table; or what is wrong with the file.
-pub(super) fn slices(path: &Path, rows: u64) -> Result<(Option<Head>, Vec<TextSlice>), String> {
+pub(super) fn slices(
+    path: &Path,
+    rows: u64,
+) -> Result<(Option<FilePiece>, Vec<TextSlice>), String> {
     let read = |error: io::Error| reason(&error);
     // A pipe would be waited for.
     if !fs::metadata(path).map_err(read)?.is_file() {
@@ -144,39 +124,34 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<(Option<Head>, Vec<TextSl
             rows => pieces.push((rows, line, start + offset, all.looked() - offset)),
         }
     }
-    let mut hash = |offset, length| {
-        bytes_of(&mut file, offset, length).map(|bytes| hash_of(&bytes)).map_err(read)
+    let mut piece = |offset, bytes| -> Result<FilePiece, String> {
+        let sha256 = hash_of(&bytes_of(&mut file, offset, bytes).map_err(read)?);
+        Ok(FilePiece { offset, bytes, sha256 })
     };
-    let head = match head {
-        Some(bytes) => Some(Head { offset: start, bytes, sha256: hash(start, bytes)? }),
-        None => None,
-    };
+    let head = head.map(|bytes| piece(start, bytes)).transpose()?;
     let slices = pieces.into_iter().map(|(rows, line, offset, bytes)| {
-        Ok(TextSlice { rows, line, offset, bytes, sha256: hash(offset, bytes)? })
+        Ok(TextSlice { rows, line, piece: piece(offset, bytes)? })
     });
     Ok((head, slices.collect::<Result<_, String>>()?))
 }
 
-/// The rows of a piece, and their lines.
+/// The rows of a slice, and their lines.
 pub(super) fn read(
     path: &Path,
-    head: Option<&Head>,
+    head: Option<&FilePiece>,
     slice: &TextSlice,
     weight: SelfWeight,
 ) -> Result<(Vec<u64>, Listed), String> {
     let mut file = File::open(path).map_err(|error| reason(&error))?;
-    let mut input = |offset, length, sha256: &str| {
-        let bytes = bytes_of(&mut file, offset, length).map_err(|error| reason(&error))?;
-        let is_same = hash_of(&bytes) == sha256;
+    let mut input = |of: &FilePiece| {
+        let bytes = bytes_of(&mut file, of.offset, of.bytes).map_err(|error| reason(&error))?;
+        let is_same = hash_of(&bytes) == of.sha256;
         is_same.then(|| Box::new(Cursor::new(bytes))).ok_or_else(|| {
             "it has changed since the sweep began; run again for a new one".to_owned()
         })
     };
-    let table = head.map(|head| {
-        let table = TextRows::open(input(head.offset, head.bytes, &head.sha256)?);
-        table.map_err(|error| error.to_string())
-    });
-    let (table, rows) = (table.transpose()?, input(slice.offset, slice.bytes, &slice.sha256)?);
+    let table = head.map(|head| TextRows::open(input(head)?).map_err(|error| error.to_string()));
+    let (table, rows) = (table.transpose()?, input(&slice.piece)?);
     let rows = match table {
         Some(table) => table.with_rows(rows, slice.line),
         None => TextRows::of_objects(rows, slice.line),

@@ -27,11 +27,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if path.is_dir() {
         return look_through(path, arguments);
     }
-    let plan = described(path, read_sweep)?;
-    remark(path, &plan.notes);
+    let (plan, notes) = described(path, read_sweep)?;
+    remark(path, &notes);
     let base = path.parent().unwrap_or(Path::new(""));
     let output = arguments.output.as_deref().unwrap_or(Path::new(""));
-    let sweep = Sweep::new(&plan, base, output)?;
+    let sweep = Sweep::new(plan, base, output)?;
     let Share { k, n } = arguments.only.unwrap_or(Share { k: 1, n: 1 });
     let parts = sweep.share(k, n);
     let others = sweep.others();

@@ -3,134 +3,164 @@
 //! Its SHA-256 is the name of the sweep, and of the folder of its parts: two different sweeps cannot meet in a folder,
 //! and the same sweep always finds its own.
 
-use super::cost::{GRID_GROUP, GROUP, MAX_PARTS, rows_of_a_part};
-use super::text::{self, Head, TextSlice};
+use super::hash::hash_of;
+use super::manifest::MAX_RECORD;
 use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
 use crate::number::ExactNumber;
 use crate::problem::{Friction, Quantity};
-use crate::scene::{
-    MAX_CHUNK, MAX_RECORD, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan, hash_of,
-};
 use serde::{Deserialize, Serialize};
-use std::fs;
 use std::ops::Range;
-use std::path::Path;
+
+/// The name and the version of the schema: of a plan, of its record, and of the parts that are written.
+pub const SWEEP_SCHEMA: &str = "couplet.sweep/1";
+
+/// Digits that tell the nearest double; with more a value is written as text too.
+pub const SWEEP_DIGITS: usize = 17;
 
 /// The version of the program.
-pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// The most arches of a sample.
+pub(super) const MAX_SAMPLE: usize = 10_000_000_000;
+/// The most rows of a part.
+pub(super) const MAX_CHUNK: usize = 100_000_000;
+/// The most parts of a sweep: they are listed, and their folders have a thousand each.
+const MAX_PARTS: u64 = 1_000_000;
+/// The most rows of a part that are held in memory at a time, in about 600 bytes a row: a row group of its file. It is
+/// a multiple of what is drawn from one seed.
+pub const GROUP: u64 = 125_000;
+/// The most rows of a row group of a grid, which share their numbers.
+const GRID_GROUP: u64 = 500_000;
 
-/// Record of a sweep, in names and exact texts.
+/// Record of a sweep, in names and exact texts. One that no more than a plan is known of has no files read, and no rows
+/// of a part unless the plan says how many.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct SweepRecord {
+pub struct SweepRecord {
+    /// The name and the version of the schema.
     pub schema: String,
     /// The version of the program: another one may prove what this one leaves undecided.
     pub couplet: String,
+    /// The weights of a grid, in the order in which they are swept; of a data set one, that of the rows without.
     pub weights: Vec<SelfWeight>,
+    /// The values that are computed, in the order of [`Quantity::STATE_ROW`].
     pub quantities: Vec<Quantity>,
+    /// Significant digits.
     pub digits: usize,
     /// Rows in all.
     pub rows: u64,
     /// The most rows of a part.
     pub chunk: u64,
-    pub arches: Arches,
+    /// The arches.
+    pub arches: SweepArches,
 }
 
-/// Source of the arches.
+/// The arches of a sweep.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "snake_case")]
-pub(super) enum Arches {
-    /// Every weight with every half opening and every friction.
-    Grid { half_opening: Vec<ExactNumber>, friction: Vec<Friction> },
-    /// Drawn from a seed.
-    Sample { seed: u64, hard: bool },
+#[serde(rename_all = "snake_case")]
+pub enum SweepArches {
+    /// Every weight with every half opening and every friction, in this order.
+    Grid {
+        /// Half openings in `(0, pi)`, rad.
+        half_opening: Vec<ExactNumber>,
+        /// The frictions.
+        friction: Vec<Friction>,
+    },
+    /// Arches drawn from a seed.
+    Sample {
+        /// Seed that the first are drawn from.
+        seed: u64,
+        /// True if the arches are hard ones.
+        hard: bool,
+    },
     /// The rows of files, each told by its name and its content.
-    Data { files: Vec<DataFile> },
+    Data {
+        /// Files, one after the other.
+        files: Vec<DataFile>,
+    },
 }
 
 /// A file of a data set.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct DataFile {
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct DataFile {
     /// Name of the file, as the plan names it.
     pub file: String,
     /// Fault of the file; then it has no rows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fault: Option<String>,
-    /// Head of a table of text; JSON lines have none.
+    /// Head of a table of text, which tells the columns: the header with all that was looked at to know it, which is
+    /// the first row too where a remark is the header. JSON lines have none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub head: Option<Head>,
-    /// Pieces of the file, each as many rows as are held in memory at a time.
+    pub head: Option<FilePiece>,
+    /// Slices of the file, each as many rows as are held in memory at a time.
     pub slices: Vec<TextSlice>,
 }
 
+/// Bytes of a file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FilePiece {
+    /// Place of the first (bytes).
+    pub offset: u64,
+    /// Number of them.
+    pub bytes: u64,
+    /// SHA-256 of them.
+    pub sha256: String,
+}
+
+/// A slice: all that was looked at to know its rows. It may reach into the next one, where a quote is not closed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct TextSlice {
+    /// Number of its rows.
+    pub rows: u64,
+    /// The number of its first line, from 1.
+    pub line: u64,
+    /// Bytes of the slice.
+    #[serde(flatten)]
+    pub piece: FilePiece,
+}
+
 impl SweepRecord {
-    /// Record of a plan whose paths begin in a folder. Files of a data set are read once.
-    pub(super) fn new(plan: &SweepPlan, base: &Path) -> Self {
-        let files: &[String] =
-            if let SweepArches::Data { files } = &plan.arches { files } else { &[] };
-        let length = |name: &String| fs::metadata(base.join(name)).map_or(0, |there| there.len());
-        let chunk = rows_of_a_part(plan, files.iter().map(length).sum());
-        let (rows, arches) = match &plan.arches {
-            SweepArches::Grid { half_openings, frictions } => {
-                let rows = [plan.weights.len(), half_openings.len(), frictions.len()];
-                let (half_opening, friction) = (half_openings.clone(), frictions.clone());
-                (rows.iter().product::<usize>() as u64, Arches::Grid { half_opening, friction })
-            }
-            SweepArches::Sample { count, seed, hard } => {
-                (*count as u64, Arches::Sample { seed: *seed, hard: *hard })
-            }
-            SweepArches::Data { files } => {
-                let file = |name: &String| {
-                    let read = text::slices(&base.join(name), chunk.min(GROUP));
-                    let fault = read.as_ref().err().cloned();
-                    let (head, slices) = read.unwrap_or_default();
-                    DataFile { file: name.clone(), fault, head, slices }
-                };
-                let files: Vec<DataFile> = files.iter().map(file).collect();
-                let slices = files.iter().flat_map(|file| &file.slices);
-                (slices.map(|slice| slice.rows).sum(), Arches::Data { files })
-            }
-        };
-        Self {
-            schema: SWEEP_SCHEMA.to_owned(),
-            couplet: VERSION.to_owned(),
-            weights: plan.weights.clone(),
-            quantities: plan.quantities.clone(),
-            digits: plan.digits,
-            rows,
-            chunk,
-            arches,
-        }
+    /// The files of a data set; none of other sweeps.
+    pub fn files(&self) -> &[DataFile] {
+        if let SweepArches::Data { files } = &self.arches { files } else { &[] }
+    }
+
+    /// The slices of the files, in order, each with its file and with its rows.
+    pub fn slices(&self) -> impl Iterator<Item = (Range<u64>, &DataFile, &TextSlice)> {
+        let slices =
+            self.files().iter().flat_map(|file| file.slices.iter().map(move |of| (file, of)));
+        let mut first = 0;
+        slices.map(move |(file, of)| {
+            first += of.rows;
+            (first - of.rows..first, file, of)
+        })
     }
 
     /// The one form: JSON on one line.
-    pub(super) fn text(&self) -> String {
+    pub fn text(&self) -> String {
         // Only texts and whole numbers: nothing that JSON cannot hold.
         serde_json::to_string(self).unwrap_or_default()
     }
 
     /// SHA-256 of the one form.
-    pub(super) fn hash(&self) -> String {
+    pub fn hash(&self) -> String {
         hash_of(self.text().as_bytes())
     }
 
     /// Checks that the record makes sense, and its parts can be listed: it may come from elsewhere.
-    pub(super) fn check(&self) -> Result<(), String> {
+    pub fn check(&self) -> Result<(), String> {
         let all = |numbers: &[usize]| {
             numbers.iter().try_fold(1, |all: u64, number| all.checked_mul(*number as u64))
         };
         let rows = match &self.arches {
-            Arches::Grid { half_opening, friction } => {
+            SweepArches::Grid { half_opening, friction } => {
                 all(&[self.weights.len(), half_opening.len(), friction.len()])
             }
-            Arches::Sample { .. } => Some(self.rows).filter(|rows| *rows <= MAX_SAMPLE as u64),
-            Arches::Data { files } => {
-                let mut pieces = files.iter().flat_map(|file| &file.slices);
-                pieces.try_fold(0, |all: u64, piece| {
+            SweepArches::Sample { .. } => Some(self.rows).filter(|rows| *rows <= MAX_SAMPLE as u64),
+            SweepArches::Data { files } => {
+                let mut slices = files.iter().flat_map(|file| &file.slices);
+                slices.try_fold(0, |all: u64, slice| {
                     let is_held = |rows: &u64| (1..=self.chunk.min(GROUP)).contains(rows);
-                    all.checked_add(Some(piece.rows).filter(is_held)?)
+                    all.checked_add(Some(slice.rows).filter(is_held)?)
                 })
             }
         };
@@ -155,7 +185,7 @@ impl SweepRecord {
     /// Number of parts.
     fn count(&self) -> u64 {
         match &self.arches {
-            Arches::Data { files } => {
+            SweepArches::Data { files } => {
                 let parts = |file: &DataFile| file.slices.len().div_ceil(self.slices_of_a_part());
                 files.iter().map(|file| parts(file) as u64).sum()
             }
@@ -167,8 +197,8 @@ impl SweepRecord {
     }
 
     /// The ranges of rows of the parts, in order. A part of a grid has whole columns, or a piece of one.
-    pub(super) fn parts(&self) -> Vec<Range<u64>> {
-        let Arches::Data { files } = &self.arches else {
+    pub fn parts(&self) -> Vec<Range<u64>> {
+        let SweepArches::Data { files } = &self.arches else {
             return pieces(&(0..self.rows), self.column(), self.chunk);
         };
         let mut first = 0;
@@ -182,19 +212,15 @@ impl SweepRecord {
     }
 
     /// The ranges of the rows of a part that are held in memory at a time, in order.
-    pub(super) fn groups(&self, part: &Range<u64>) -> Vec<Range<u64>> {
-        let files = match &self.arches {
-            Arches::Grid { .. } => return pieces(part, self.column(), GRID_GROUP),
-            Arches::Sample { .. } => return pieces(part, 1, GROUP),
-            Arches::Data { files } => files,
-        };
-        let mut first = 0;
-        let group = |slice: &TextSlice| {
-            first += slice.rows;
-            first - slice.rows..first
-        };
-        let groups = files.iter().flat_map(|file| &file.slices).map(group);
-        groups.filter(|group| part.contains(&group.start)).collect()
+    pub fn groups(&self, part: &Range<u64>) -> Vec<Range<u64>> {
+        match &self.arches {
+            SweepArches::Grid { .. } => pieces(part, self.column(), GRID_GROUP),
+            SweepArches::Sample { .. } => pieces(part, 1, GROUP),
+            SweepArches::Data { .. } => {
+                let slices = self.slices().map(|(rows, ..)| rows);
+                slices.filter(|rows| part.contains(&rows.start)).collect()
+            }
+        }
     }
 
     /// Slices of a file that make a part.
@@ -205,7 +231,7 @@ impl SweepRecord {
     /// Rows that follow each other of one half opening.
     fn column(&self) -> u64 {
         match &self.arches {
-            Arches::Grid { friction, .. } => friction.len().max(1) as u64,
+            SweepArches::Grid { friction, .. } => friction.len().max(1) as u64,
             _ => 1,
         }
     }
@@ -234,7 +260,8 @@ mod tests {
 
     fn record(rest: &str) -> SweepRecord {
         let text = format!("schema = \"couplet.sweep/1\"\n{rest}");
-        SweepRecord::new(&read_sweep(text.as_bytes()).unwrap(), Path::new(""))
+        let (plan, _) = read_sweep(text.as_bytes()).unwrap();
+        SweepRecord { chunk: if plan.chunk > 0 { plan.chunk } else { 6_500 }, ..plan }
     }
 
     #[test]
