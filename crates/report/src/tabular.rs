@@ -88,7 +88,9 @@ impl Separated {
             Self::Comma => b',',
             Self::Semicolon => b';',
         };
-        let csv = csv::WriterBuilder::new().delimiter(separator).from_writer(Vec::new());
+        // Often of one line, for which the usual buffer is long.
+        let mut csv = csv::WriterBuilder::new();
+        let csv = csv.delimiter(separator).buffer_capacity(1 << 10).from_writer(Vec::new());
         let mut lines = Lines { csv, separated: self };
         write(&mut lines).map_err(io_error)?;
         lines.csv.into_inner().map_err(|error| error.into_error())

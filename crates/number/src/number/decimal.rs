@@ -130,20 +130,21 @@ impl fmt::Display for Decimal {
         if self.digits.is_empty() {
             return f.write_str("0");
         }
+        const ZEROS: &str = "00000000000000000000";
         let magnitude = self.magnitude();
-        let length = self.digits.len() as i64;
         if !(-6..=21).contains(&magnitude) {
             return fmt::LowerExp::fmt(self, f);
         }
-        f.write_str(if self.negative { "-" } else { "" })?;
-        if magnitude <= 0 {
-            write!(f, "0.{}{}", "0".repeat(-magnitude as usize), self.digits)
-        } else if magnitude >= length {
-            write!(f, "{}{}", self.digits, "0".repeat((magnitude - length) as usize))
-        } else {
-            let (head, tail) = self.digits.split_at(magnitude as usize);
-            write!(f, "{head}.{tail}")
-        }
+        let sign = if self.negative { "-" } else { "" };
+        let parts = match magnitude - self.digits.len() as i64 {
+            _ if magnitude <= 0 => [sign, "0.", &ZEROS[..-magnitude as usize], &self.digits],
+            zeros @ 0.. => [sign, &self.digits, &ZEROS[..zeros as usize], ""],
+            _ => {
+                let (head, tail) = self.digits.split_at(magnitude as usize);
+                [sign, head, ".", tail]
+            }
+        };
+        parts.iter().try_for_each(|part| f.write_str(part))
     }
 }
 
@@ -153,7 +154,8 @@ impl fmt::LowerExp for Decimal {
         let (head, tail) = self.digits.split_at(self.digits.len().min(1));
         let (sign, point) =
             (if self.negative { "-" } else { "" }, if tail.is_empty() { "" } else { "." });
-        write!(f, "{sign}{head}{point}{tail}e{}", self.magnitude() - 1)
+        [sign, head, point, tail].iter().try_for_each(|part| f.write_str(part))?;
+        write!(f, "e{}", self.magnitude() - 1)
     }
 }
 
@@ -188,7 +190,7 @@ impl FromStr for Decimal {
             .ok()
             .filter(|p| p.unsigned_abs() <= MAX_EXPONENT as u64)
             .ok_or_else(|| ParseDecimalError::Exponent(shown()))?;
-        Ok(Self::new(negative, format!("{whole}{fraction}"), power - fraction.len() as i64))
+        Ok(Self::new(negative, [whole, fraction].concat(), power - fraction.len() as i64))
     }
 }
 

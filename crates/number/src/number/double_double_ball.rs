@@ -16,6 +16,12 @@ impl DoubleDoubleBall {
     /// `± mantissa 2^exponent`, the mantissa in words of 64 bits, the least significant first: exactly if it has at
     /// most 106 bits, else with a bound of what is left.
     pub fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> Self {
+        if let ([word], 0) = (mantissa, exponent) {
+            // Nearly every number that is read: both halves are doubles.
+            let [high, low] = [word >> 32, word & u64::from(u32::MAX)].map(|half| half as f64);
+            let unit = if is_negative { -1.0 } else { 1.0 };
+            return Self::exact(DoubleDouble::sum(unit * power_of_two(32) * high, unit * low));
+        }
         let zeros = mantissa.iter().rev().take_while(|word| **word == 0).count();
         let Some((top, rest)) = mantissa[..mantissa.len() - zeros].split_last() else {
             return Self::exact(DoubleDouble::ZERO);

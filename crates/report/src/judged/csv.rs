@@ -9,9 +9,9 @@ use crate::problem::Quantity;
 use crate::tabular::Separated;
 use std::io;
 
-/// The columns of a number: bounds have none.
+/// The columns of a number: its bounds, the third and the fourth, have none.
 fn numbers() -> impl Iterator<Item = &'static NamedColumn<Judged>> {
-    NUMBER.iter().filter(|(field, _)| !["lower", "upper"].contains(field))
+    NUMBER[..2].iter().chain(&NUMBER[4..])
 }
 
 /// The header, with the columns of some quantities, and with what is handed on before them.
@@ -56,5 +56,7 @@ mod tests {
         let names: Vec<&str> = header.trim_end().split(',').collect();
         assert!(names.contains(&"thickness") && names.contains(&"given_thickness"), "{header}");
         assert_eq!(names.iter().collect::<BTreeSet<_>>().len(), names.len(), "{header}");
+        let is_bound = |name: &&str| name.ends_with("_lower") || name.ends_with("_upper");
+        assert!(!names.iter().any(is_bound) && names.contains(&"thrust_error"), "{header}");
     }
 }
