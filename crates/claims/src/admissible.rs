@@ -4,10 +4,9 @@
 //! (`modes.rs`). So "strictly inside" holds everywhere else, and there it cannot.
 
 use super::along::landmark;
-use super::contacts::{CONTACTS, margin_at, row_at};
+use super::contacts::{margin_at, row_at};
 use super::landmarks::certain_if;
 use super::letters::{ring, variables, with};
-use super::modes::SEVEN_MODES;
 use super::{Checked, Derivation, Finding, Support, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{
@@ -64,7 +63,7 @@ fn turned(at: &Configuration<Ball>) -> Configuration<Ball> {
 }
 
 fn landmarks_stand(d: &mut Derivation) -> Checked<Finding> {
-    lemmas(d, [&CONTACTS])?;
+    lemmas(d, ["modes-contacts"])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, mu) = (Symbol::Thrust.number(), Symbol::Friction.number());
     let two = h.int(2);
@@ -164,7 +163,7 @@ fn motions() -> [MotionRates; 4] {
 }
 
 fn four_mechanisms_at_t(d: &mut Derivation) -> Checked {
-    lemmas(d, [&SEVEN_MODES])?;
+    lemmas(d, ["modes-seven"])?;
     let [turns, shoulder, inner, slides] = motions();
     let (a, ratio) = (shoulder[4].clone(), turns[2].clone());
     d.define("a, the rate of the shoulder in [s,r,r]", &a);
@@ -209,7 +208,7 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Checked {
 }
 
 fn one_joint_rotates_and_slides(d: &mut Derivation) -> Checked {
-    lemmas(d, [&SEVEN_MODES])?;
+    lemmas(d, ["modes-seven"])?;
     for weight in SelfWeight::ALL {
         let (name, at) = (weight.name(), landmark(Landmark::Shift, weight)?);
         let words = format!("beta_r = beta_s, {name}");

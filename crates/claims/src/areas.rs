@@ -1,10 +1,7 @@
 //! The domains of the map as areas: cells in which each arch is proved to have one mode.
 
-use super::curve::{ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER};
-use super::domains::{INNER_SLIDING_BEYOND_T, NO_PURE_SLIDING_BEYOND_B};
-use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER};
 use super::map_of_weights::room_falls_along_sliding;
-use super::tiling::{COLUMNS, falls_with_the_thickness, thrust_at_triple_is_below_half};
+use super::tiling::{falls_with_the_thickness, thrust_at_triple_is_below_half};
 use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::Areas;
@@ -14,7 +11,7 @@ use rug::float::Round;
 use std::sync::OnceLock;
 
 claims! {
-    Implicit("map-areas", "Sec. 3, Fig. 6", areas):
+    Ours("map-areas", "Sec. 3, Fig. 6", areas):
         "in the plane of friction angles up to a right one and thicknesses up to 2, cells in each of which one mode \
          is proved fill more than 99 % of the area; the others are cut by lines between modes";
 }
@@ -31,33 +28,6 @@ fn cells(weight: SelfWeight) -> &'static Areas {
     CELLS[index].get_or_init(|| Areas::new(weight, PARTS))
 }
 
-/// Theorems that tell the mode of a corner.
-const AT_A_CORNER: [(&str, &str); 5] = [
-    (
-        "Cells.thrust_of_crown",
-        "under a crown that turns the thickness has a rotational state, whose thrust is no less than that at which an \
-         inner joint slides",
-    ),
-    (
-        "Cells.inner_joint_slides_where_it_asks_more",
-        "an inner joint slides where it does so at a larger thrust than that of rotation",
-    ),
-    (
-        "Cells.crown_turns_where_rotation_asks_more",
-        "and the crown turns where it does so at a smaller one",
-    ),
-    (
-        "Cells.mode_under_a_crown",
-        "there the mode is [s,r,r] or [r,r,r] as the shoulder of the rotational state asks for more friction than \
-         there is or for less",
-    ),
-    (
-        "Cells.mode_where_an_inner_joint_slides",
-        "where an inner joint slides the mode is [s,s] if the shoulder that just slides has room, and else that of the \
-         haunch by (5)",
-    ),
-];
-
 /// The share of an area in hundredths of a percent, rounded.
 fn share(area: &Ball, round: Round) -> i32 {
     let bound = if round == Round::Down { area.lower() } else { area.upper() };
@@ -70,9 +40,8 @@ fn percent(share: i32) -> String {
 }
 
 fn areas(d: &mut Derivation) -> Checked {
-    lemmas(d, [&COLUMNS, &STATES_IN_ORDER, &FRICTION_FOR_ROTATION_GROWS])?;
-    lemmas(d, [&SLIDING_STATES_IN_ORDER, &ONE_JOINT_FOR_EACH_THICKNESS])?;
-    lemmas(d, [&INNER_SLIDING_BEYOND_T, &NO_PURE_SLIDING_BEYOND_B])?;
+    lemmas(d, ["map-columns", "curve-order", "friction-rotation", "sliding-order", "curve-joint"])?;
+    lemmas(d, ["map-T-inner", "map-B"])?;
     falls_with_the_thickness(d)?;
     for weight in SelfWeight::ALL {
         thrust_at_triple_is_below_half(d, weight)?;
@@ -82,15 +51,11 @@ fn areas(d: &mut Derivation) -> Checked {
         "Where an inner joint slides and the shoulder turns, mu >= mu_T: h is at most h_T, below 1/2. With pure sliding \
          at one friction and such a mode at less, both purely sliding states are between T and B.",
     )?;
-    d.theorem(
-        "Cells.cell_of_one_mode",
-        "an arch between two others of one mode, of which one has less friction and more thickness, has this mode, if \
-         the friction of the shoulder grows along rotation, an inner joint slides at a thrust of at most 1/2 where the \
-         shoulder turns, and the shoulder loses room along pure sliding",
-    )?;
-    for (name, says) in AT_A_CORNER {
-        d.theorem(name, says)?;
-    }
+    d.theorems(["Cells.cell_of_one_mode"])?;
+    // They tell the mode of a corner.
+    d.theorems(["Cells.thrust_of_crown", "Cells.inner_joint_slides_where_it_asks_more"])?;
+    d.theorems(["Cells.crown_turns_where_rotation_asks_more", "Cells.mode_under_a_crown"])?;
+    d.theorems(["Cells.mode_where_an_inner_joint_slides"])?;
     for weight in SelfWeight::ALL {
         let areas = cells(weight);
         let most = Ball::enclosing(&Rational::from((99, 100)), 64);

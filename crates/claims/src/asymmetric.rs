@@ -8,7 +8,6 @@
 use super::along::{parsed, standing};
 use super::letters::{forces, ring};
 use super::measured::shown;
-use super::uniqueness::ONE_THICKNESS;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
@@ -20,7 +19,7 @@ use crate::number::{Angle, Ball, Field};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
 claims! {
-    Implicit("asymmetric-motion", "Eq. (19)", motion) as ASYMMETRIC_MOTION:
+    Ours("asymmetric-motion", "Eq. (19)", motion):
         "three kinds of asymmetric mechanisms fit, by a sliding shoulder, hinges at the crown and at the far haunch, \
          and an inner joint that slides, the shoulder that opens too, or neither; where their joints are at their \
          limits the weight works by as much as friction takes";
@@ -123,7 +122,7 @@ fn thicknesses(
 }
 
 fn other_thicknesses(d: &mut Derivation) -> Checked {
-    lemmas(d, [&ONE_THICKNESS, &ASYMMETRIC_MOTION])?;
+    lemmas(d, ["unique-thickness", "asymmetric-motion"])?;
     for witness in WITNESSES {
         let (weight, alpha, mu, mode) = witness;
         let [least, other] = thicknesses(witness)?;

@@ -6,7 +6,7 @@
 //! `[s,r,r]`.
 
 use super::along::landmark;
-use super::asymmetric::{ASYMMETRIC_MOTION, variables};
+use super::asymmetric::variables;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
@@ -22,7 +22,7 @@ use rug::Rational;
 use std::sync::OnceLock;
 
 claims! {
-    Implicit("asymmetric-begins", "Eq. (19)", begins):
+    Ours("asymmetric-begins", "Eq. (19)", begins):
         "the equations of the line where [s,r,r] meets [s,s] have a symmetric solution with an asymmetric mechanism \
          of the first kind at each alpha from near 126.21° (Milankovitch) or 125.63° (Heyman) on up to T, and one \
          without at each from 90° on before; those of the line where [r,r,r] meets [s,r,r] one of the second kind \
@@ -158,7 +158,7 @@ fn decided() -> &'static [Checked] {
 }
 
 fn begins(d: &mut Derivation) -> Checked {
-    lemmas(d, [&ASYMMETRIC_MOTION])?;
+    lemmas(d, ["asymmetric-motion"])?;
     for (edge, decided) in EDGES.iter().zip(decided()) {
         let EdgeOfStates { weight, mode, begins } = edge;
         let [fails, holds] = begins.map(|n| format!("{}.{:02}", n / 100, n % 100));

@@ -3,9 +3,7 @@
 //! With a vertical force `v > 0` in the crown the line of thrust reaches the extrados on the right only and the
 //! intrados on the left only, and each joint that moves does so upwards, but for the right springing of a horseshoe.
 
-use super::asymmetric::ASYMMETRIC_MOTION;
 use super::letters::{forces, ring};
-use super::uniqueness::ONE_THICKNESS;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -15,11 +13,11 @@ use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Symbol};
 
 claims! {
-    Implicit("asymmetric-narrow", "Eq. (19), Sec. 5", narrow) as NARROW:
+    Ours("asymmetric-narrow", "Eq. (19), Sec. 5", narrow):
         "up to a half opening of 90° the whole arch has no asymmetric motion: where a vertical force works in the crown no \
          rates without dilatancy fit, whichever joints are at their limits, so that (19) has its solutions at the least \
          thickness alone, except at the friction of pure sliding";
-    Implicit("asymmetric-kinds", "Eq. (19), Sec. 5", kinds) as KINDS:
+    Ours("asymmetric-kinds", "Eq. (19), Sec. 5", kinds):
         "a solution of (19) with a vertical force in the crown has a half opening above 90°; its state, or the mirror \
          image of it, slides outwards at the right springing, touches the extrados at a joint inside the right half and \
          the intrados at a joint of the left half or, at eta = 2, in the crown, and its motion is a sum of those of the \
@@ -48,7 +46,7 @@ fn row(contact: Contact, joint: &Angle<Fraction>) -> [Fraction; 3] {
 
 fn narrow(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha <= 90°, 0 < eta <= 2, 0 <= mu < inf; a state that is admissible at each joint of [-alpha, alpha]");
-    lemmas(d, [&ONE_THICKNESS])?;
+    lemmas(d, ["unique-thickness"])?;
     let joint = Symbol::joint();
     let two = joint.cos.int(2);
     for (contact, words, expected) in [
@@ -59,24 +57,14 @@ fn narrow(d: &mut Derivation) -> Checked {
         let [_, _, up] = row(contact, &joint);
         d.identity(format!("what {words} adds upwards"), up, expected)?;
     }
-    d.theorem(
-        "Asymmetric.no_asymmetric_motion_up_to_the_right_angle",
-        "up to a half-angle of 90° no motion without dilatancy fits in a state with a vertical force in the crown, \
-         whichever joints are at their limits",
-    )?;
+    d.theorems(["Asymmetric.no_asymmetric_motion_up_to_the_right_angle"])?;
     d.conclude("Without such a force a motion and its mirror image add up to a symmetric one.")
 }
 
 fn kinds(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 < eta <= 2, 0 <= mu < inf; a state that is admissible at each joint of [-alpha, alpha], v > 0");
-    lemmas(d, [&NARROW, &ASYMMETRIC_MOTION])?;
-    d.theorem(
-        "Asymmetric.joints_of_a_motion",
-        "a motion in a state with v > 0 in the crown has a half-angle above 90°: the right springing slides outwards, \
-         one joint inside the right half turns about the extrados, one of the left half that is not below the horizontal \
-         about the intrados, in the crown just if eta = 2; besides, the springing may turn about the extrados and one \
-         joint slide outwards, and nothing else moves",
-    )?;
+    lemmas(d, ["asymmetric-narrow", "asymmetric-motion"])?;
+    d.theorems(["Asymmetric.joints_of_a_motion"])?;
     let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());
     let [across, _, up] = row(Contact::Outwards, &joint);
     let sine = alpha.sin.clone() * &joint.cos - alpha.cos.clone() * &joint.sin;

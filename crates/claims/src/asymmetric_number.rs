@@ -6,9 +6,8 @@
 //! symmetric state changes but once.
 
 use super::asymmetric_cover::{Directions, ForceRectangle, RECTANGLE, elsewhere, known};
-use super::asymmetric_kinds::{KINDS, borne, margin_at};
+use super::asymmetric_kinds::{borne, margin_at};
 use super::letters::ring;
-use super::uniqueness::ONE_THICKNESS;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
@@ -18,7 +17,7 @@ use rayon::prelude::*;
 use std::sync::OnceLock;
 
 claims! {
-    Implicit("asymmetric-number", "Eq. (19), Sec. 5", number):
+    Ours("asymmetric-number", "Eq. (19), Sec. 5", number):
         "with Milankovitch's weight (19) has an asymmetric solution exactly where the state at the least thickness is [s,r,r], \
          inside, with alpha > 90° and (1 + eta/2 - (1 - eta/2) cos(beta_r)) |cot(alpha)| > (1 - eta/2) sin(beta_r), and then \
          one beside its mirror image: at each half opening at an interval of frictions, from pure sliding on; with Heyman's one there too, and elsewhere none or two: one that opens the shoulder, \
@@ -104,7 +103,7 @@ fn in_balls(d: &mut Derivation) -> Checked {
 
 fn number(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 < eta <= 2, 0 <= mu < inf; v > 0, the right springing slides");
-    lemmas(d, [&KINDS, &ONE_THICKNESS])?;
+    lemmas(d, ["asymmetric-kinds", "unique-thickness"])?;
     one_touch(d)?;
     d.argue(
         "With h and v a hinge b0 exists from one thickness on, as c falls, and none with h >= 3/2, where c >= 1; the margins at \

@@ -16,10 +16,10 @@ use crate::symbolic::Series;
 use rug::Rational;
 
 claims! {
-    Implicit("series-heyman", "small openings", |d| small_openings(d, SelfWeight::Heyman)):
+    Ours("series-heyman", "small openings", |d| small_openings(d, SelfWeight::Heyman)):
         "for Heyman's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin with alpha^2/2, alpha^4/48 \
          and 1 - alpha^2/6";
-    Implicit("series-milankovitch", "small openings", |d| small_openings(d, SelfWeight::Milankovitch)):
+    Ours("series-milankovitch", "small openings", |d| small_openings(d, SelfWeight::Milankovitch)):
         "for Milankovitch's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin with alpha^2/2, \
          alpha^4/48 and 1 - alpha^2/6";
     Implicit("series-difference", "Sec. 2.1", difference):
@@ -70,9 +70,9 @@ fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Checked {
     d.assume("y = alpha^2, small");
     let ByOpening { joint_squared, thickness, thrust } =
         expansion::by_opening(weight, TERMS).ok_or_else(unsettled)?;
-    d.series("beta_r^2", &joint_squared, "y");
-    d.series("eta", &thickness, "y");
-    d.series("h", &thrust, "y");
+    d.define("beta_r^2", joint_squared.show("y"));
+    d.define("eta", thickness.show("y"));
+    d.define("h", thrust.show("y"));
     let zero = Rational::new();
     let a = expansion::opening_variable(&Series::variable(&zero, joint_squared.length()));
     check_states(d, weight, [&joint_squared, &thickness, &thrust], &a)?;
@@ -103,8 +103,8 @@ fn difference(d: &mut Derivation) -> Checked {
     let [heyman, milankovitch] = both(series)?;
     let thickness = milankovitch.thickness - heyman.thickness;
     let thrust = milankovitch.thrust - heyman.thrust;
-    d.series("eta of Milankovitch's weight less that of Heyman's", &thickness, "y");
-    d.series("h of Milankovitch's weight less that of Heyman's", &thrust, "y");
+    d.define("eta of Milankovitch's weight less that of Heyman's", thickness.show("y"));
+    d.define("h of Milankovitch's weight less that of Heyman's", thrust.show("y"));
     for (name, series, power, leading) in
         [("of eta", &thickness, 6, (1, 1_327_104)), ("of h", &thrust, 4, (-1, 27_648))]
     {

@@ -9,9 +9,7 @@
 //! where `a` and `c` do not depend on the weight.
 
 use super::along::{CurveStates, around, below, landmark, on_sliding};
-use super::frictions::SLIDING_STATES_IN_ORDER;
-use super::map_of_weights::{LINES_RISE, WHERE_THE_SHOULDER_TURNS};
-use super::measured::{MeasuredBounds, shown};
+use super::measured::{at_least, at_most, shown};
 use super::{Checked, Derivation, Finding, Support, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, sliding, thrust};
 use crate::certify::{Undecided, between};
@@ -61,7 +59,7 @@ fn equation(d: &mut Derivation) -> Checked {
 }
 
 fn divide_deviates(d: &mut Derivation) -> Checked {
-    lemmas(d, [&LINES_RISE, &WHERE_THE_SHOULDER_TURNS])?;
+    lemmas(d, ["weights-lines-rise", "weights-shoulder-turns"])?;
     equation(d)?;
     let (eta, c) = (Symbol::Thickness.number(), Symbol::F.number());
     let ring = Ring::new(SelfWeight::Milankovitch, &eta);
@@ -110,12 +108,12 @@ fn divide_deviates(d: &mut Derivation) -> Checked {
     )
 }
 
-fn slope_at_the_border(bounds: &mut MeasuredBounds<'_>) -> Checked {
-    equation(bounds.d)?;
+fn slope_at_the_border(d: &mut Derivation) -> Checked {
+    equation(d)?;
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let factor = Ring::with_flag(&delta, &eta).centroid_factor;
     let slope = factor.partial(Symbol::Thickness);
-    bounds.d.identity("d fac/d eta", &slope, delta * &eta / eta.int(6))?;
+    d.identity("d fac/d eta", &slope, delta * &eta / eta.int(6))?;
     for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {
         let at = landmark(Landmark::Border, weight)?;
         let along = CurveStates::of_landmark(weight, &at);
@@ -128,19 +126,17 @@ fn slope_at_the_border(bounds: &mut MeasuredBounds<'_>) -> Checked {
         for (name, value) in [("mu", by_friction), ("phi", by_angle)] {
             let words = format!("d eta/d {name} at B, {weight} weight");
             match weight {
-                SelfWeight::Heyman => bounds.at_most((&words, &value, ""), 3)?,
-                SelfWeight::Milankovitch => bounds.at_least((&words, &value, ""), 3)?,
+                SelfWeight::Heyman => at_most(d, (&words, &value, ""), 3)?,
+                SelfWeight::Milankovitch => at_least(d, (&words, &value, ""), 3)?,
             }
         }
     }
-    bounds
-        .d
-        .conclude("d eta/d mu = -(a' + c' eta)/(c - delta_M eta/6)/mu', finite for both weights.")
+    d.conclude("d eta/d mu = -(a' + c' eta)/(c - delta_M eta/6)/mu', finite for both weights.")
 }
 
 /// Along pure sliding the friction is that of the half opening, whatever the weight.
 fn saturation_along_the_opening(d: &mut Derivation) -> Checked<Finding> {
-    lemmas(d, [&SLIDING_STATES_IN_ORDER])?;
+    lemmas(d, ["sliding-order"])?;
     let weight = SelfWeight::Milankovitch;
     let slope = |point| {
         let at = landmark(point, weight)?;

@@ -14,7 +14,6 @@
 
 use super::along::landmark;
 use super::cubics::letters;
-use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
 use super::landmarks::certain_if;
 use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::closed_form::{ClosedForm, opening_root_factor};
@@ -33,7 +32,7 @@ claims! {
         "eta_M of (10), with either sign, is a root of the second cubic (7)";
     AsPrinted("eq-11", "Eq. (11)", |d| solves(d, ClosedForm::Thrust)):
         "h_M of (11), with either sign, is a root of the third cubic (7)";
-    AsPrinted("eq-12", "Eq. (12)", radicand_is_the_discriminant) as RADICAND_IS_THE_DISCRIMINANT:
+    AsPrinted("eq-12", "Eq. (12)", radicand_is_the_discriminant):
         "the radicand of (12) is the discriminant of each cubic (7), up to a negative number and a square";
     AsPrinted("eq-9-11-signs", "Eq. (9)-(11)", signs_of_the_branches):
         "the same sign stands in both terms, or the value is not real: with principal roots the upper signs give the \
@@ -113,7 +112,7 @@ fn widest_joint(weight: SelfWeight) -> Checked<Ball> {
 }
 
 fn signs_of_the_branches(d: &mut Derivation) -> Checked {
-    lemmas(d, [&RADICAND_IS_THE_DISCRIMINANT, &TWO_THICKNESSES_FOR_EACH_JOINT, &STATES_IN_ORDER])?;
+    lemmas(d, ["eq-12", "curve-thicknesses", "curve-order"])?;
     // The cubic in eta is linear in g: its points are (eta, f, S), free.
     let Abbreviations { sin, f, .. } = letters();
     let eta = Symbol::Thickness.number();
@@ -199,7 +198,7 @@ fn sign_changes(weight: SelfWeight) -> [(i32, i32); 2] {
 }
 
 fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Checked {
-    lemmas(d, [&RADICAND_IS_THE_DISCRIMINANT, &TWO_THICKNESSES_FOR_EACH_JOINT])?;
+    lemmas(d, ["eq-12", "curve-thicknesses"])?;
     d.conclude(
         "For 0 < beta < beta_sb the roots are real and simple, so the discriminant is positive and (12) \
          negative (for delta_M = 0 the quadratic has two, and f + g = (beta + S)(1 + C) > 0). At \

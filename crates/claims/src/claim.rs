@@ -1,7 +1,6 @@
 //! A claim, what decides it and what comes out, and how the proof of one uses others.
 
 use super::derivation::{Checked, Derivation, Support};
-use super::measured::MeasuredBounds;
 use crate::certify::Undecided;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -21,7 +20,6 @@ pub struct Claim {
 }
 
 type Prove = fn(&mut Derivation) -> Checked;
-type Measure = fn(&mut MeasuredBounds<'_>) -> Checked;
 type Find = fn(&mut Derivation) -> Checked<Finding>;
 
 /// Means by which a claim is decided.
@@ -31,8 +29,10 @@ pub(super) enum Decide {
     AsPrinted(Prove),
     /// A proof of what the paper leaves implicit.
     Implicit(Prove),
+    /// A proof of what no sentence of the paper rests on.
+    Ours(Prove),
     /// A proof of bounds, where the paper has no number or a rounded one.
-    Measured(Measure),
+    Measured(Prove),
     /// A derivation that finds how far the statement holds.
     Finds(Find),
 }
@@ -79,24 +79,16 @@ pub struct Decision {
     pub time: Duration,
 }
 
-/// The claims of a file, in the order of the paper: how each is decided, its id and place, what decides it, a name
-/// where others use it, and its statement.
+/// The claims of a file, in the order of the paper: how each is decided, its id and place, what decides it, and its
+/// statement.
 macro_rules! claims {
-    (@ $kind:ident $id:literal, $place:literal, $decide:expr, $says:literal) => {
-        $crate::Claim {
+    ($($kind:ident($id:literal, $place:literal, $decide:expr): $says:literal;)+) => {
+        pub(super) const CLAIMS: &[$crate::Claim] = &[$($crate::Claim {
             id: $id,
             place: $place,
             statement: $says,
             decide: $crate::claim::Decide::$kind($decide),
-        }
-    };
-    ($($kind:ident($id:literal, $place:literal, $decide:expr) $(as $name:ident)?: $says:literal;)+) => {
-        pub(super) const CLAIMS: &[$crate::Claim] =
-            &[$(claims!(@ $kind $id, $place, $decide, $says)),+];
-        $($(
-            pub(super) const $name: $crate::Claim =
-                claims!(@ $kind $id, $place, $decide, $says);
-        )?)+
+        }),+];
     };
 }
 pub(super) use claims;
@@ -112,6 +104,11 @@ impl Claim {
     /// Tells whether a name means this claim: its id, or the beginning of it up to a hyphen.
     pub fn is_named(&self, name: &str) -> bool {
         self.id.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+    }
+
+    /// Tells whether the claim decides no sentence of the paper.
+    pub fn is_ours(&self) -> bool {
+        matches!(self.decide, Decide::Ours(_))
     }
 
     /// Decides the claim, once in a process.
@@ -131,14 +128,13 @@ impl Claim {
         let start = Instant::now();
         let outcome = match self.decide {
             Decide::AsPrinted(prove) => prove(&mut derivation).map(|()| Finding::AsPrinted),
-            Decide::Implicit(prove) => prove(&mut derivation).map(|()| Finding::Implicit),
-            Decide::Measured(measure) => {
-                let mut bounds = MeasuredBounds::new(&mut derivation);
-                measure(&mut bounds).map(|()| {
-                    let [holds_with, fails_with] = bounds.texts();
-                    Finding::Measured { holds_with, fails_with }
-                })
+            Decide::Implicit(prove) | Decide::Ours(prove) => {
+                prove(&mut derivation).map(|()| Finding::Implicit)
             }
+            Decide::Measured(prove) => prove(&mut derivation).map(|()| {
+                let [holds_with, fails_with] = derivation.numbers();
+                Finding::Measured { holds_with, fails_with }
+            }),
             Decide::Finds(find) => find(&mut derivation),
         };
         derivation.weigh_words();
@@ -146,10 +142,13 @@ impl Claim {
     }
 }
 
-/// Uses claims in the proof of another, which are decided too. One that does not hold as it is stated cannot be used.
-pub(super) fn lemmas<const N: usize>(d: &mut Derivation, claims: [&Claim; N]) -> Checked {
-    for claim in claims {
-        d.use_claim(format!("{}: {}", claim.id, claim.statement), used(claim)?);
+/// Uses claims in the proof of another by their ids, which are decided too. One that does not hold as it is stated
+/// cannot be used.
+pub(super) fn lemmas<const N: usize>(d: &mut Derivation, ids: [&str; N]) -> Checked {
+    for id in ids {
+        let claim = super::claims().into_iter().find(|claim| claim.id == id);
+        let claim = claim.ok_or_else(|| Undecided::new(format!("there is no claim {id}")))?;
+        d.use_claim(format!("{id}: {}", claim.statement), used(&claim)?);
     }
     Ok(())
 }

@@ -9,9 +9,9 @@ use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 
 claims! {
-    Implicit("map-distances", "Sec. 2.1", distances_rise_and_fall) as DISTANCES_RISE_AND_FALL:
+    Ours("map-distances", "Sec. 2.1", distances_rise_and_fall):
         "along an admissible arch the normal force N and the distance U from the extrados first grow and then fall";
-    Implicit("modes-contacts", "Sec. 3, 4", contacts) as CONTACTS:
+    Ours("modes-contacts", "Sec. 3, 4", contacts):
         "in an admissible state the line of thrust reaches the extrados at the crown and at the shoulder only, and \
          the intrados at one joint only; friction is used up inwards at one joint only, above a shoulder at its \
          limit, and outwards at the shoulder only";
@@ -76,11 +76,7 @@ fn distances_rise_and_fall(d: &mut Derivation) -> Checked {
 /// The limits of a state, by the theorem; without a limit of friction there is one that is more than enough.
 fn contacts(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 < eta <= 2; 0 < mu < inf, or h > 0 and mu = inf");
-    d.theorem(
-        "Modes.limits_of_a_state",
-        "in an admissible state the extrados is reached at crown and shoulder only, the intrados at one joint only, \
-         friction inwards at one joint only, above a shoulder at its limit, and outwards at the shoulder only",
-    )?;
+    d.theorems(["Modes.limits_of_a_state"])?;
     let (joint, ring, h) = (Symbol::joint(), ring(), Symbol::Thrust.number());
     let normal = statics::normal_force(&joint, &h);
     let upper = margin_at(Contact::Extrados, &joint);

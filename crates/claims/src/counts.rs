@@ -1,8 +1,6 @@
 //! Number of equations that rule a state: three or fewer, beside a half opening and a friction. The five hold together
 //! at `T` alone.
 
-use super::frictions::ROTATION_MEETS_SLIDING;
-use super::moments::UPPER_FOLLOWS;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::{SelfWeight, Unknown};
 use crate::problem::{Equation, Landmark, Mode, System};
@@ -39,7 +37,7 @@ fn check(
 }
 
 fn five_equations(d: &mut Derivation) -> Checked {
-    lemmas(d, [&UPPER_FOLLOWS, &ROTATION_MEETS_SLIDING])?;
+    lemmas(d, ["eq-2-4-imply-3", "map-T"])?;
     for mode in Mode::ALL {
         let expected = match mode {
             Mode::Overturning => 1,

@@ -21,7 +21,7 @@ claims! {
     AsPrinted("eq-7-h", "Eq. (7), third", in_thrust):
         "the thrust of the purely rotational state is a root of pol_h; for symbolic delta_M, with Heyman's quadratic \
          at delta_M = 0";
-    Implicit("eq-7-denominators", "Sec. 2.1", denominators):
+    Ours("eq-7-denominators", "Sec. 2.1", denominators):
         "no denominator on the way to (7) vanishes for 0 < beta < pi, 0 < eta < 2, and 0 < A";
 }
 
@@ -57,7 +57,7 @@ fn in_thickness(d: &mut Derivation) -> Checked {
     d.on_circle(words, &difference, &cubic)?;
     d.conclude("where S and the denominators are not zero, (2) and (5) give one thrust exactly where pol_eta = 0")?;
     let free = cubic::in_thickness(&letters(), &delta, &eta);
-    d.define_by("pol_eta in f, g, S", &polynomial(&free), Symbol::Thickness);
+    d.define("pol_eta in f, g, S", (&polynomial(&free), Symbol::Thickness));
     let [one, zero] = [1, 0].map(|n| cubic::in_thickness(&letters(), &eta.int(n), &eta));
     let Abbreviations { sin, f, g } = letters();
     let quadratic = (f.clone() + &g) * eta.int(3) * eta.square()
@@ -101,8 +101,8 @@ fn reduced(d: &mut Derivation) -> Checked<Reduced> {
     let sum = lower * &joint.sin + tangent * &joint.cos;
     d.on_circle("P = S times (2), cleared, plus C Q, by link (8)", &sum, &target.sum)?;
     let free = in_letters(&letters());
-    d.define_by("P in f, g, S", &polynomial(&free.sum), Symbol::Thickness);
-    d.define_by("Q in f, g, S", &polynomial(&free.tangent), Symbol::Thickness);
+    d.define("P in f, g, S", (&polynomial(&free.sum), Symbol::Thickness));
+    d.define("Q in f, g, S", (&polynomial(&free.tangent), Symbol::Thickness));
     Ok(free)
 }
 
@@ -129,7 +129,7 @@ fn in_opening_variable(d: &mut Derivation) -> Checked {
     let cubic = cubic::in_thickness(&letters(), &delta, &eta);
     let cubic = with(&cubic, &[Symbol::Thickness], &thickness);
     let found = cubic::in_opening_variable(&letters(), &delta, &a);
-    d.define_by("pol_A with delta_M kept", &polynomial(&found), Symbol::OpeningVariable);
+    d.define("pol_A with delta_M kept", (&polynomial(&found), Symbol::OpeningVariable));
     let sum = g.clone() + sin.clone() * &a;
     let expected = a.int(16) * &sin * &found / (sum.square() * &sum);
     d.identity("pol_eta there is 16 S pol_A/(g + S A)^3", &cubic, &expected)?;
@@ -146,7 +146,7 @@ fn in_opening_variable(d: &mut Derivation) -> Checked {
         - (f.clone()) * sin.int(2) * &g * &a
         + g.square();
     let heyman = (sin.clone() * &a + &g) * sin.ratio(3, 2) * &quadratic;
-    d.define_by("Heyman's quadratic", &polynomial(&quadratic), Symbol::OpeningVariable);
+    d.define("Heyman's quadratic", (&polynomial(&quadratic), Symbol::OpeningVariable));
     d.identity(
         "delta_M = 0: 3/2 (S A + g) times Heyman's quadratic; the factor is extraneous, S A + g > 0",
         &zero,
@@ -160,11 +160,11 @@ fn in_thrust(d: &mut Derivation) -> Checked {
     let free = reduced(d)?;
     let (p, q) = (polynomial(&free.sum), polynomial(&free.tangent));
     let Elimination { resultant, u, v } = eliminate(&p, &q, Symbol::Thickness);
-    d.define_by("cofactor u of P", &u, Symbol::Thickness);
-    d.define_by("cofactor v of Q", &v, Symbol::Thickness);
+    d.define("cofactor u of P", (&u, Symbol::Thickness));
+    d.define("cofactor v of Q", (&v, Symbol::Thickness));
     let combination = Fraction::from(&u * &p + &(&v * &q));
     let found = cubic::in_thrust(&letters(), &delta, &h);
-    d.define_by("pol_h with delta_M kept", &polynomial(&found), Symbol::Thrust);
+    d.define("pol_h with delta_M kept", (&polynomial(&found), Symbol::Thrust));
     let Abbreviations { sin, f, g } = letters();
     let expected = h.ratio(2, 9) * &delta * sin.square() * &found;
     d.identity("u P + v Q, free of eta, is 2/9 delta_M S^2 pol_h", &combination, &expected)?;
@@ -181,10 +181,9 @@ fn in_thrust(d: &mut Derivation) -> Checked {
     let linear = |p: &Polynomial| p.substitute(Symbol::Flag, &Polynomial::zero());
     let heyman = eliminate(&linear(&p), &linear(&q), Symbol::Thickness).resultant;
     let quadratic = Fraction::from(heyman) / &sin;
-    d.define_by(
+    d.define(
         "delta_M = 0: the resultant of P and Q over S, Heyman's quadratic",
-        &polynomial(&quadratic),
-        Symbol::Thrust,
+        (&polynomial(&quadratic), Symbol::Thrust),
     );
     let extraneous = sin.int(2) * &sin * &h + (g - &f);
     let words = "3/4 (2 S h + g - f) times it is pol_h at delta_M = 0";

@@ -26,16 +26,16 @@ use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint, along_the_open
 use rug::Rational;
 
 claims! {
-    Implicit("curve-joint", "Sec. 2.1", one_joint_for_each_thickness) as ONE_JOINT_FOR_EACH_THICKNESS:
+    Implicit("curve-joint", "Sec. 2.1", one_joint_for_each_thickness):
         "for each thickness below eta_l the line of thrust can touch the intrados at exactly one joint beta(eta), \
          and for none from eta_l up to 2; p/S, where p is the cubic (7) in eta, grows with beta";
-    AsPrinted("curve-thicknesses", "Eq. (7), (10)", two_thicknesses_for_each_joint) as TWO_THICKNESSES_FOR_EACH_JOINT:
+    AsPrinted("curve-thicknesses", "Eq. (7), (10)", two_thicknesses_for_each_joint):
         "two real branches are meaningful: for each joint beta < beta_sb the cubic in eta has exactly two roots \
          between 0 and 2, a double one at beta_sb and none beyond; the third, for delta_M = 1, is negative";
-    AsPrinted("curve-order", "Sec. 2.1, Fig. 2", states_in_order) as STATES_IN_ORDER:
+    AsPrinted("curve-order", "Sec. 2.1, Fig. 2", states_in_order):
         "along the purely rotational states the half opening grows from 0 to alpha_l and the thrust falls from 1 to \
          0 as the thickness grows from 0 to eta_l; to each half opening below alpha_l belongs exactly one state";
-    Implicit("curve-weights", "Sec. 3", states_of_one_thickness) as STATES_OF_ONE_THICKNESS:
+    Ours("curve-weights", "Sec. 3", states_of_one_thickness):
         "at the same thickness the purely rotational state of Milankovitch's weight has a smaller half opening and a \
          smaller thrust than that of Heyman's, and the purely overturning one a smaller half opening; its rotational \
          joint is the smaller one, and below a right angle";
@@ -93,7 +93,7 @@ fn one_joint_for_each_thickness(d: &mut Derivation) -> Checked {
 }
 
 fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Checked {
-    lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS])?;
+    lemmas(d, ["curve-joint"])?;
     let joint = Symbol::joint();
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let (p, delta) = (cubic_in_thickness(), Symbol::Flag.number());
@@ -120,7 +120,7 @@ fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Checked {
 
 /// Thicker states are wider and carry less thrust.
 fn states_in_order(d: &mut Derivation) -> Checked {
-    lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS])?;
+    lemmas(d, ["curve-joint"])?;
     let (joint, ring) = (Symbol::joint(), ring());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let wide = AngleSigns::of_half_opening(d)?;
@@ -173,7 +173,7 @@ fn states_in_order(d: &mut Derivation) -> Checked {
 
 /// At one thickness a larger `delta_M` means a smaller half opening and a smaller thrust.
 fn states_of_one_thickness(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STATES_IN_ORDER])?;
+    lemmas(d, ["curve-order"])?;
     let (joint, ring) = (Symbol::joint(), ring());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let [cosine] = Positive::given(d, "beta < pi/2, which is shown below", [&joint.cos]);
@@ -214,7 +214,7 @@ fn states_of_one_thickness(d: &mut Derivation) -> Checked {
 
 /// `d beta/d alpha = 0` exactly at the double root, which is the widest joint.
 fn widest_joint(d: &mut Derivation) -> Checked {
-    lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS, &TWO_THICKNESSES_FOR_EACH_JOINT, &STATES_IN_ORDER])?;
+    lemmas(d, ["curve-joint", "curve-thicknesses", "curve-order"])?;
     // The two equations that define the landmark `sb` besides (4): p and its derivative, up to 3 S.
     let (joint, ring) = (Symbol::joint(), ring());
     let eta = Dual::variable(ring.thickness.clone(), 0);

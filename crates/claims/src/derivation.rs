@@ -33,14 +33,20 @@ impl From<String> for Formula {
     }
 }
 
+impl From<(&Polynomial, Symbol)> for Formula {
+    /// A polynomial, sorted by the powers of a symbol.
+    fn from((polynomial, symbol): (&Polynomial, Symbol)) -> Self {
+        Self::new(|notation| polynomial.show_by(symbol, notation))
+    }
+}
+
 impl From<&Fraction> for Formula {
     /// A polynomial of many terms is sorted by its first symbol.
     fn from(fraction: &Fraction) -> Self {
-        let sorted = fraction.as_polynomial().filter(|p| p.len() > 3).and_then(|p| {
-            let symbol = p.main_symbol()?;
-            Some(Self::new(|notation| p.show_by(symbol, notation)))
-        });
-        sorted.unwrap_or_else(|| Self::new(|notation| fraction.show(notation)))
+        let sorted = fraction.as_polynomial().filter(|p| p.len() > 3);
+        sorted
+            .and_then(|p| Some((p, p.main_symbol()?).into()))
+            .unwrap_or_else(|| Self::new(|notation| fraction.show(notation)))
     }
 }
 
@@ -84,24 +90,22 @@ pub struct DerivationStep {
     pub formula: Option<Formula>,
 }
 
-/// Place of an argument in words that no machine has checked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Argument {
-    /// The argument is in the claim itself.
-    Own,
-    /// The argument is in a claim that is used.
-    Beneath,
+worded! {
+    /// Place of an argument in words that no machine has checked.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Argument {
+        /// The argument is in the claim itself.
+        Own = "own",
+        /// The argument is in a claim that is used.
+        Beneath = "beneath",
+    }
+    /// Both places.
+    pub const ALL;
+    /// The word used in files.
+    pub fn name -> &'static str;
 }
 
 impl Argument {
-    /// The word used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Own => "own",
-            Self::Beneath => "beneath",
-        }
-    }
-
     /// Description of the argument.
     pub fn words(self) -> &'static str {
         match self {
@@ -129,6 +133,9 @@ pub(super) enum Twin {
     Verdict,
 }
 
+/// Theorems of `proofs/coq`, one a line: module and name, place in the paper, and what it says.
+const THEOREMS: &str = include_str!("hand_theorems.txt");
+
 /// Words of the conclusions of a claim that join its checks, at most; more of them are an argument.
 const MOST_WORDS: usize = 60;
 
@@ -142,6 +149,8 @@ pub struct Derivation {
     beneath: Vec<Support>,
     /// The check that is made on a false twin.
     spoiled: Option<usize>,
+    /// Numbers with which the statement holds, and with which it does not.
+    numbers: [Vec<String>; 2],
 }
 
 impl Derivation {
@@ -235,11 +244,36 @@ impl Derivation {
         Ok(())
     }
 
-    /// Uses a theorem of `proofs/coq` by its name. What it says stands in the list of hand theorems, `words` are its
-    /// line there.
-    pub fn theorem(&mut self, name: &str, words: &str) -> Checked {
-        self.push(Support::Theorem, format!("{name}: {words}"), None);
+    /// Uses theorems of `proofs/coq` by their names. What they say stands in the list of hand theorems.
+    pub fn theorems<const N: usize>(&mut self, names: [&str; N]) -> Checked {
+        for name in names {
+            let says = THEOREMS.lines().find_map(|line| {
+                let (theorem, rest) = line.split_once('\t')?;
+                rest.split_once('\t').filter(|_| theorem == name)
+            });
+            let Some((_, says)) = says else {
+                return Err(Undecided::new(format!("{name} is no theorem of the list")));
+            };
+            self.push(Support::Theorem, format!("{name}: {says}"), None);
+        }
         Ok(())
+    }
+
+    /// Notes a number with which the statement holds. It may end a proof, as a conclusion does.
+    pub fn holds(&mut self, words: impl Into<String>) -> Checked {
+        self.numbers[0].push(words.into());
+        Ok(())
+    }
+
+    /// Notes a number with which it does not.
+    pub fn fails(&mut self, words: impl Into<String>) -> Checked {
+        self.numbers[1].push(words.into());
+        Ok(())
+    }
+
+    /// The numbers with which the statement holds, and those with which it does not.
+    pub(super) fn numbers(&self) -> [String; 2] {
+        self.numbers.each_ref().map(|numbers| numbers.join("; "))
     }
 
     /// Uses a claim that has been decided: its steps are not repeated, but what they rest on counts here too.
@@ -254,14 +288,8 @@ impl Derivation {
     }
 
     /// Names a formula.
-    pub fn define(&mut self, words: &str, formula: &Fraction) {
+    pub fn define(&mut self, words: &str, formula: impl Into<Formula>) {
         self.push(Support::Definition, words, Some(formula.into()));
-    }
-
-    /// Names a polynomial, sorted by the powers of `symbol`.
-    pub fn define_by(&mut self, words: &str, polynomial: &Polynomial, symbol: Symbol) {
-        let formula = Formula::new(|notation| polynomial.show_by(symbol, notation));
-        self.push(Support::Definition, words, Some(formula));
     }
 
     /// Tells whether the check that comes next is to be made on its false twin.
@@ -360,16 +388,6 @@ impl Derivation {
         let counterexample = format!("{words}: {} is not {}", left.to_string(), right.to_string());
         self.push(Support::Algebra, &counterexample, None);
         Ok(counterexample)
-    }
-
-    /// Names a series in the variable called `name`.
-    pub fn series<T: ExactField + ToString>(
-        &mut self,
-        words: &str,
-        series: &Series<T>,
-        name: &str,
-    ) {
-        self.push(Support::Definition, words, Some(series.show(name).into()));
     }
 
     /// Checks that a series vanishes to the order to which it is known.

@@ -2,9 +2,8 @@
 
 use super::along;
 use super::landmarks::{both, state_of};
-use super::measured::MeasuredBounds;
-use super::same_opening::DIFFERENCES_GROW;
-use super::{Checked, claims, lemmas};
+use super::measured::at_most;
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::state::State;
 use crate::number::{Ball, Field};
@@ -39,7 +38,7 @@ fn percent([heyman, milankovitch]: [&Ball; 2], is_larger: bool) -> Ball {
 
 /// Notes the relative differences of an arch.
 fn note(
-    bounds: &mut MeasuredBounds<'_>,
+    d: &mut Derivation,
     place: &str,
     (alpha, friction): (&str, &str),
     variables: &[MovedVariable],
@@ -47,33 +46,29 @@ fn note(
     let [heyman, milankovitch] = both(|weight| state_of(alpha, friction, weight))?;
     for (name, is_larger, value) in variables {
         let percent = percent([value(&heyman), value(&milankovitch)], *is_larger);
-        bounds.at_most((&format!("{name}, {place}"), &percent, " %"), 3)?;
+        at_most(d, (&format!("{name}, {place}"), &percent, " %"), 3)?;
     }
     Ok(())
 }
 
 /// The largest relative differences of rotational states up to some half openings, which are those at these.
-fn largest(
-    bounds: &mut MeasuredBounds<'_>,
-    openings: &[&str],
-    variables: &[MovedVariable],
-) -> Checked {
-    lemmas(bounds.d, [&DIFFERENCES_GROW])?;
+fn largest(d: &mut Derivation, openings: &[&str], variables: &[MovedVariable]) -> Checked {
+    lemmas(d, ["weights-differences"])?;
     for alpha in openings {
         let place = format!("mu = inf, up to alpha = {alpha}");
-        note(bounds, &place, (alpha, "inf"), variables)?;
+        note(d, &place, (alpha, "inf"), variables)?;
     }
     let words = "They grow with the half opening, so that the last of a range is the largest.";
-    bounds.d.conclude(words)
+    d.conclude(words)
 }
 
 /// Differences of one arch.
 fn at(
-    bounds: &mut MeasuredBounds<'_>,
+    d: &mut Derivation,
     arch @ (alpha, friction): (&str, &str),
     variables: &[MovedVariable],
 ) -> Checked {
-    note(bounds, &format!("mu = {friction}, at alpha = {alpha}"), arch, variables)
+    note(d, &format!("mu = {friction}, at alpha = {alpha}"), arch, variables)
 }
 
 /// Differences that are said to be slight or much at the landmarks, and whether it is larger for
@@ -89,26 +84,26 @@ const AT_LANDMARKS: &[(Landmark, Unknown, bool)] = &[
     (Landmark::Border, Unknown::Friction, false),
 ];
 
-fn minimal(bounds: &mut MeasuredBounds<'_>) -> Checked {
-    largest(bounds, &["pi/2", "2", "2.4", "2.55"], &[ETA, H])?;
-    at(bounds, ("2.59", "inf"), &[ETA, H])
+fn minimal(d: &mut Derivation) -> Checked {
+    largest(d, &["pi/2", "2", "2.4", "2.55"], &[ETA, H])?;
+    at(d, ("2.59", "inf"), &[ETA, H])
 }
 
-fn marginal(bounds: &mut MeasuredBounds<'_>) -> Checked {
-    largest(bounds, &["pi/2"], &[ETA, H, BETA])?;
+fn marginal(d: &mut Derivation) -> Checked {
+    largest(d, &["pi/2"], &[ETA, H, BETA])?;
     let thickness = state_of("pi/2", "inf", SelfWeight::Milankovitch)?.thickness;
     let words = "eta, mu = inf, up to alpha = pi/2, milankovitch weight, the larger one";
-    bounds.at_most((words, &thickness, ""), 3)?;
-    at(bounds, ("pi/2", "0.31"), &[ETA_SMALLER])
+    at_most(d, (words, &thickness, ""), 3)?;
+    at(d, ("pi/2", "0.31"), &[ETA_SMALLER])
 }
 
-fn at_landmarks(bounds: &mut MeasuredBounds<'_>) -> Checked {
+fn at_landmarks(d: &mut Derivation) -> Checked {
     for (landmark, unknown, is_larger) in AT_LANDMARKS {
         let [heyman, milankovitch] = both(|weight| along::landmark(*landmark, weight))?;
         let percent = percent([heyman.value(*unknown), milankovitch.value(*unknown)], *is_larger);
         let relation = if *is_larger { "larger" } else { "smaller" };
         let words = format!("{} {relation}, at {landmark}", unknown.name());
-        bounds.at_most((&words, &percent, " %"), 3)?;
+        at_most(d, (&words, &percent, " %"), 3)?;
     }
     Ok(())
 }

@@ -5,15 +5,7 @@
 //! at most the half opening of rotation.
 
 use super::along::{CurveStates, around, below, landmark, on_all, on_sliding};
-use super::contacts::DISTANCES_RISE_AND_FALL;
-use super::curve::STATES_IN_ORDER;
-use super::frictions::{
-    FRICTION_FOR_ROTATION_GROWS, ROTATION_MEETS_SLIDING, SLIDING_STATES_IN_ORDER,
-    SLOPES_OF_FRICTION,
-};
 use super::letters::{variables, with};
-use super::overturning::A_FIXES_ALPHA;
-use super::uniqueness::{ONE_HALF_OPENING, THICKER_HAS_ROOM};
 use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, contact, sliding, statics, thrust};
 use crate::number::{Angle, Ball, Enclosure, Field, Real};
@@ -22,24 +14,23 @@ use crate::symbolic::{Fraction, Letters, Symbol};
 use rug::Rational;
 
 claims! {
-    AsPrinted("map-T-shoulder", "Sec. 3, 5", no_shoulder_sliding_beyond_t) as NO_SHOULDER_SLIDING_BEYOND_T:
+    AsPrinted("map-T-shoulder", "Sec. 3, 5", no_shoulder_sliding_beyond_t):
         "a friction above mu_T precludes any mixed sliding-rotational mode; its thickness is at most eta_T and its \
          half opening at most alpha_T";
-    AsPrinted("map-T-inner", "Sec. 3, 5", inner_sliding_beyond_t) as INNER_SLIDING_BEYOND_T:
+    AsPrinted("map-T-inner", "Sec. 3, 5", inner_sliding_beyond_t):
         "modes with shoulder rotation and inner sliding are seen only on the right of T, and above it";
     Implicit("map-S", "Sec. 3, Fig. 6", shift_beyond_s):
         "modes with the sliding joint below the rotational one are seen only on the right of S, and above it";
     AsPrinted("map-J", "Sec. 3", overturning_sliding_beyond_j):
         "overturning-sliding modes are seen only on the right of J, and above it";
-    AsPrinted("map-B", "Sec. 3, 5", pure_sliding_ends_at_b) as NO_PURE_SLIDING_BEYOND_B:
+    AsPrinted("map-B", "Sec. 3, 5", pure_sliding_ends_at_b):
         "a friction above mu_B precludes any purely sliding mode of thickness up to 2; each one below has such a \
          mode";
 }
 
 /// The shoulder's distance from the extrados with the crown's pressure point on the extrados.
 fn shoulder_margin(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
-    lemmas(d, [&ROTATION_MEETS_SLIDING])?;
+    lemmas(d, ["curve-order", "friction-slopes", "friction-rotation", "map-T"])?;
     let at = variables();
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &at.thickness);
@@ -57,10 +48,7 @@ fn shoulder_margin(d: &mut Derivation) -> Checked {
 
 fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Checked {
     shoulder_margin(d)?;
-    d.theorem(
-        "Map.sliding_shoulder_before_T",
-        "[s,r,r] is where the shoulder asks for no less friction along rotation than an inner joint",
-    )?;
+    d.theorems(["Map.sliding_shoulder_before_T"])?;
     d.conclude(
         "It has the thickness and thrust of a rotational state of half opening alpha_0 >= alpha, with M >= m: alpha <= \
          alpha_0 <= alpha_T, eta <= eta_T, and mu <= M(alpha_0) <= mu_T.",
@@ -69,10 +57,7 @@ fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Checked {
 
 fn inner_sliding_beyond_t(d: &mut Derivation) -> Checked {
     shoulder_margin(d)?;
-    d.theorem(
-        "Mechanisms.shoulder_hinge_keeps_rotation",
-        "with a hinge at the shoulder thickness and thrust are at least those of pure rotation",
-    )?;
+    d.theorems(["Mechanisms.shoulder_hinge_keeps_rotation"])?;
     d.conclude(
         "For alpha < alpha_l, mu = mu_is(h) <= m(alpha) and mu >= mu_ss(alpha, h) >= M(alpha): so M <= m, and alpha >= alpha_T, \
          eta >= eta_T and mu >= M(alpha) >= mu_T. From alpha_l on the parts of the arch stand, so that eta >= eta_l, and mu >= \
@@ -158,8 +143,8 @@ fn overturning_sliding_beyond_j(d: &mut Derivation) -> Checked {
 
 /// Left of a landmark the purely sliding arch stands at the thickness of (5).
 fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Checked {
-    lemmas(d, [&SLOPES_OF_FRICTION, &INNER_SLIDING_BEYOND_T, &SLIDING_STATES_IN_ORDER])?;
-    lemmas(d, [&THICKER_HAS_ROOM, &ONE_HALF_OPENING])?;
+    lemmas(d, ["friction-slopes", "map-T-inner", "sliding-order", "unique-thicker"])?;
+    lemmas(d, ["map-function"])?;
     touching_thickness(d)?;
     let sliding = CurveStates::sliding;
     let symbol = end.symbol();
@@ -201,8 +186,7 @@ fn bound_at_b(weight: SelfWeight) -> Rational {
 }
 
 fn pure_sliding_ends_at_b(d: &mut Derivation) -> Checked {
-    lemmas(d, [&DISTANCES_RISE_AND_FALL, &SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
-    lemmas(d, [&A_FIXES_ALPHA])?;
+    lemmas(d, ["map-distances", "friction-slopes", "sliding-order", "alpha-one-to-one"])?;
     let (n, eta) = (Symbol::OpeningVariable.number(), Symbol::Thickness.number());
     let margin = |weight| {
         let ring = Ring::new(weight, &eta);

@@ -5,7 +5,6 @@
 //! `T` and the smaller one beyond.
 
 use super::along::{CurveStates, around, below, landmark, on_all};
-use super::curve::STATES_IN_ORDER;
 use super::letters::{ring, term};
 use super::overturning::end_of_rotation_is_simple;
 use super::sliding::ratio_without_thrust;
@@ -17,23 +16,23 @@ use crate::symbolic::{Letters, Relations, Symbol, along_the_joint, along_the_ope
 use rug::Rational;
 
 claims! {
-    Implicit("friction-slopes", "Eq. (17), (18)", friction_slopes) as SLOPES_OF_FRICTION:
+    Ours("friction-slopes", "Eq. (17), (18)", friction_slopes):
         "where N > 0, mu_ss grows with the thrust and, from beta_s on, with the half opening, and is not positive \
          before; mu_is falls as the thrust grows";
-    Implicit("friction-unbounded", "Eq. (18)", friction_of_small_thrust) as FRICTION_OF_SMALL_THRUST:
+    Implicit("friction-unbounded", "Eq. (18)", friction_of_small_thrust):
         "mu_is is unbounded as the thrust falls to 0";
-    Implicit("friction-large", "Eq. (18)", thrust_of_large_friction) as THRUST_OF_LARGE_FRICTION:
+    Ours("friction-large", "Eq. (18)", thrust_of_large_friction):
         "where an inner joint slides, h <= 1/(4 mu²)";
-    AsPrinted("sliding-order", "Sec. 2.2", sliding_states_in_order) as SLIDING_STATES_IN_ORDER:
+    AsPrinted("sliding-order", "Sec. 2.2", sliding_states_in_order):
         "to each half opening belongs one purely sliding state; as it grows, the friction grows and the thrust falls";
     AsPrinted("sliding-flat", "Sec. 2.2", sliding_thrust_goes_flatly_to_zero):
         "the thrust of the purely sliding states goes flatly to 0 as alpha -> pi";
     AsPrinted("map-asymptotes", "Sec. 3", dividing_lines_tend_to_the_end_of_rotation):
         "the lines beta_r = beta_s and beta_r = 0 tend to eta_l as mu -> inf";
-    AsPrinted("friction-rotation", "Sec. 5", frictions_grow) as FRICTION_FOR_ROTATION_GROWS:
+    AsPrinted("friction-rotation", "Sec. 5", frictions_grow):
         "along the purely rotational states the friction needed to prevent sliding grows with the half opening, M of \
          the shoulder and m of an inner joint, and m is unbounded at the end";
-    AsPrinted("map-T", "Sec. 2.2, 3", order_of_frictions) as ROTATION_MEETS_SLIDING:
+    AsPrinted("map-T", "Sec. 2.2, 3", order_of_frictions):
         "the lines h(alpha) of the purely rotational and of the purely sliding states intersect at T and nowhere \
          else: before T the shoulder asks for more friction than an inner joint, M > m, beyond T for less, M < m";
 }
@@ -75,7 +74,7 @@ fn friction_of_small_thrust(d: &mut Derivation) -> Checked {
 }
 
 fn sliding_states_in_order(d: &mut Derivation) -> Checked {
-    lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST])?;
+    lemmas(d, ["friction-slopes", "friction-unbounded"])?;
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let numerator = -statics::shear_force(&alpha, &h);
     let slope = numerator.derivative(&along_the_opening());
@@ -116,7 +115,7 @@ fn thrust_of_large_friction(d: &mut Derivation) -> Checked {
 }
 
 fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Checked {
-    lemmas(d, [&THRUST_OF_LARGE_FRICTION])?;
+    lemmas(d, ["friction-large"])?;
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let cotangent = alpha.cos.clone() / &alpha.sin;
     d.on_circle(
@@ -131,7 +130,7 @@ fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Checked {
 }
 
 fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Checked {
-    lemmas(d, [&THRUST_OF_LARGE_FRICTION])?;
+    lemmas(d, ["friction-large"])?;
     let (ring, eta) = (ring(), Symbol::Thickness.number());
     let limit = thrust::tangency(&eta.int(1), &ring);
     let words = "(5), cleared, for h -> 0 and beta -> 0, where beta cot(beta) -> 1";
@@ -145,19 +144,19 @@ fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Checked {
     )
 }
 
+/// `sin - alpha/4 - 3/4 alpha cos`.
+fn bow<T: Field>(Angle { rad, sin, cos }: &Angle<T>) -> T {
+    sin.clone() - rad.clone() / rad.int(4) - rad.ratio(3, 4) * rad * cos
+}
+
 /// `M` and `m` grow along rotation.
 fn frictions_grow(d: &mut Derivation) -> Checked {
-    lemmas(d, [&SLOPES_OF_FRICTION, &STATES_IN_ORDER, &FRICTION_OF_SMALL_THRUST])?;
+    lemmas(d, ["friction-slopes", "curve-order", "friction-unbounded"])?;
     let alpha = Symbol::half_opening();
-    let Angle { rad, sin, cos } = alpha.clone();
+    let Angle { rad, sin, .. } = &alpha;
     let one = rad.int(1);
-    let bound = |x: &Ball| {
-        let Angle { rad, sin, cos } = Angle::new(x.clone());
-        sin - rad.clone() / rad.int(4) - rad.ratio(3, 4) * &rad * cos
-    };
-    let least = rad.ratio(3, 4) * &rad * alpha.versine() - (rad.clone() - &sin);
-    let shown = sin - rad.clone() / rad.int(4) - rad.ratio(3, 4) * &rad * cos;
-    d.identity("3/4 alpha (1 - cos) - (alpha - sin)", &least, &shown)?;
+    let least = rad.ratio(3, 4) * rad * alpha.versine() - (rad.clone() - sin);
+    d.identity("3/4 alpha (1 - cos) - (alpha - sin)", &least, bow(&alpha))?;
     let sine = term(1, 1, 1) - term(1, 6, 3);
     let cosine = one.clone() - term(1, 2, 2) + term(1, 24, 4);
     let below = sine - term(1, 4, 1) - term(3, 4, 1) * cosine;
@@ -168,7 +167,7 @@ fn frictions_grow(d: &mut Derivation) -> Checked {
         term(5, 24, 3) - term(1, 32, 5),
     )?;
     let (low, high) = (Rational::from((5, 2)), Rational::from((315, 100)));
-    d.positive("sin - alpha/4 - 3/4 alpha cos", (&low, &high), bound)?;
+    d.positive("sin - alpha/4 - 3/4 alpha cos", (&low, &high), |x| bow(&Angle::new(x.clone())))?;
     let joint = Symbol::joint();
     let excess = joint.rad.clone() * &joint.cos
         - (one.clone() - joint.rad.square() / one.int(2)) * &joint.sin;
@@ -221,7 +220,7 @@ fn small_openings(d: &mut Derivation) -> Checked {
 
 /// `M > m` before `T` and `M < m` beyond.
 fn order_of_frictions(d: &mut Derivation) -> Checked {
-    lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
+    lemmas(d, ["friction-slopes", "friction-rotation"])?;
     small_openings(d)?;
     for weight in SelfWeight::ALL {
         let (before, beyond) = around(&landmark(Landmark::Triple, weight)?.half_opening.rad, 1000)?;

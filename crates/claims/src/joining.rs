@@ -38,10 +38,10 @@ fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Checked {
         "the slope of (2) - (5), cleared, to eta at l, so that eta is an analytic function of u";
     let slope_at_end = slope_to_thickness(weight, &end).coefficient(0);
     d.differ(words, &slope_at_end, &thickness.int(0))?;
-    d.series("u", &joint_squared, "x");
-    d.series("eta, rotation", &rotation, "x");
-    d.series("h, rotation", &thrust, "x");
-    d.series("eta, overturning", &overturned, "x");
+    d.define("u", joint_squared.show("x"));
+    d.define("eta, rotation", rotation.show("x"));
+    d.define("h, rotation", thrust.show("x"));
+    d.define("eta, overturning", overturned.show("x"));
     let x = Series::variable(thickness, rotation.length());
     let a = Series::new(thickness, vec![a_at_end.clone()], rotation.length()) + &x;
     check_states(d, weight, [&joint_squared, &rotation, &thrust], &a)?;

@@ -19,7 +19,7 @@ claims! {
     AsPrinted("landmark-J", "Sec. 3, Fig. 10", junction_point):
         "at J the modes [r,s,r] and [r,s] meet: the line of thrust touches the intrados at the crown and has, to \
          first order, the direction of the intrados there";
-    Implicit("landmark-B", "Fig. 11", border_point):
+    Ours("landmark-B", "Fig. 11", border_point):
         "at B, where beta_r = 0, the tangency condition (5) does not hold";
     AsPrinted("landmark-l", "Sec. 3, Tables 3-4", no_thrust_needs_unlimited_friction):
         "states without thrust, l, L and all purely overturning ones, strictly require infinite friction, against \

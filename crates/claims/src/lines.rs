@@ -1,6 +1,5 @@
 //! The lines of the map as curves: each one arc from landmark to landmark.
 
-use super::regular::{CYCLOID, SHOULDER_IN_ANGLES};
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Trace};
@@ -32,15 +31,11 @@ fn traced() -> &'static [(String, Checked<bool>)] {
 }
 
 fn lines(d: &mut Derivation) -> Checked {
-    lemmas(d, [&CYCLOID, &SHOULDER_IN_ANGLES])?;
+    lemmas(d, ["eq-18-cycloid", "eq-17-angles"])?;
     for (words, is_whole) in traced() {
         d.proved_elsewhere(format!("{words}: one solution for each parameter"), is_whole.clone()?)?;
     }
-    d.theorem(
-        "Map.pieces_are_one",
-        "two pieces of a line, each with one solution in its tube at each value of the parameter, are one such piece, \
-         if the solution at the end of the first is in the tube of the second; so any number of them is one",
-    )?;
+    d.theorems(["Map.pieces_are_one"])?;
     d.conclude(
         "Krawczyk's test holds at each parameter, with a regular derivative: a line is analytic. A node is in both \
          tubes, landmarks in first or last. Lines and edges close loops around the domains: corners are their ends.",

@@ -2,15 +2,11 @@
 
 use super::along::{around, landmark, on_sliding};
 use super::contacts::cotangent_falls;
-use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
-use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
 use super::landmarks::{both, semicircle, state_of};
 use super::letters::ring;
 use super::measured::shown;
-use super::modes::LEVER;
 use super::sign::{Positive, RingSigns};
 use super::tiling::intrados_factor_grows;
-use super::uniqueness::THICKER_HAS_ROOM;
 use super::{Checked, Derivation, Finding, Support, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, statics, thrust};
 use crate::certify::between;
@@ -20,16 +16,16 @@ use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
 
 claims! {
-    Implicit("weights-shoulder-turns", "Sec. 3", thickness_where_the_shoulder_turns) as WHERE_THE_SHOULDER_TURNS:
+    Ours("weights-shoulder-turns", "Sec. 3", thickness_where_the_shoulder_turns):
         "where the shoulder turns about the extrados, (3), the same thrust and half opening mean a larger thickness \
          for Milankovitch's weight";
-    Implicit("weights-joint-given", "Sec. 3", thickness_where_the_joint_is_given) as WHERE_THE_JOINT_IS_GIVEN:
+    Ours("weights-joint-given", "Sec. 3", thickness_where_the_joint_is_given):
         "where the line of thrust touches the intrados, (5), the same thrust and joint mean a smaller thickness for \
          Milankovitch's weight";
     Finds("weights-same-opening", "Sec. 3", same_opening_compared):
         "in the eta-mu map the curves of one half opening lie lower for Milankovitch's weight: Heyman's is on the \
          safe side";
-    Implicit("weights-lines-rise", "Sec. 3, Fig. 5", lines_rise) as LINES_RISE:
+    Implicit("weights-lines-rise", "Sec. 3, Fig. 5", lines_rise):
         "in the eta-mu map each dividing line rises, so that what lies left of it lies above";
     Finds("weights-dividing-lines", "Sec. 3, Fig. 5", dividing_lines_compared):
         "in the eta-mu map the dividing lines of Milankovitch's weight lie always below and left of Heyman's";
@@ -89,7 +85,7 @@ fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Checked {
 
 /// No arch of Milankovitch's weight is as thin as that of Heyman's, unless its shoulder slides.
 fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Checked {
-    lemmas(d, [&THICKER_HAS_ROOM, &LEVER])?;
+    lemmas(d, ["unique-thicker", "modes-lever"])?;
     let (alpha, joint, ring) = (Symbol::half_opening(), Symbol::joint(), ring());
     let (eta, h) = (&ring.thickness, Symbol::Thrust.number());
     let (lower, upper) = (thrust::lower(&joint, &ring), thrust::upper(&alpha, &joint, &ring));
@@ -106,14 +102,8 @@ fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Checked {
     d.identity(words, both.partial(Symbol::Thrust), h.int(0))?;
     let slope = -(eta.square() * eta * &joint.cos * alpha.versine() / eta.int(6));
     d.identity("Z falls as delta_M grows", both.partial(Symbol::Flag), &slope)?;
-    d.theorem(
-        "TwoWeights.heavier_is_thicker_unless_the_shoulder_slides",
-        "an arch with the larger flag is thicker, unless [s,r,r] moves that with the smaller one",
-    )?;
-    d.theorem(
-        "TwoWeights.heavier_is_thicker_without_limit",
-        "with unlimited friction it is thicker",
-    )
+    d.theorems(["TwoWeights.heavier_is_thicker_unless_the_shoulder_slides"])?;
+    d.theorems(["TwoWeights.heavier_is_thicker_without_limit"])
 }
 
 /// Arches of both weights, by half opening and friction, and whether Milankovitch's is the thicker one.
@@ -135,12 +125,9 @@ fn thicker(
 }
 
 fn same_opening_compared(d: &mut Derivation) -> Checked<Finding> {
-    lemmas(d, [&STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS])?;
+    lemmas(d, ["curve-order", "curve-weights"])?;
     thicker_unless_the_shoulder_slides(d)?;
-    d.theorem(
-        "TwoWeights.heavier_is_thinner_where_shoulders_slide",
-        "where [s,r,r] moves both it is thinner",
-    )?;
+    d.theorems(["TwoWeights.heavier_is_thinner_where_shoulders_slide"])?;
     let first = thicker(d, ("pi/2", "inf"), true)?;
     let second = thicker(d, ("2.6", "1.9"), true)?;
     thicker(d, ("pi/2", "0.38"), false)?;
@@ -194,7 +181,7 @@ pub(super) fn room_falls_along_sliding(d: &mut Derivation) -> Checked {
 
 /// Each line, in turn.
 fn lines_rise(d: &mut Derivation) -> Checked {
-    lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &STATES_IN_ORDER, &SLOPES_OF_FRICTION])?;
+    lemmas(d, ["friction-rotation", "curve-order", "friction-slopes"])?;
     d.conclude(
         "About pure rotation: M and m grow with alpha, as eta does. On [s,r,r]|[s,s], by (2) and (5), eta \
          grows as h falls, and so does mu.",
@@ -211,7 +198,7 @@ fn lines_rise(d: &mut Derivation) -> Checked {
          sqrt(h (1-h)), which grows with h < 1/2, or at the crown, where beta cot(beta) = 1: eta grows as h \
          falls and mu grows.",
     )?;
-    lemmas(d, [&SLIDING_STATES_IN_ORDER, &WHERE_THE_SHOULDER_TURNS])?;
+    lemmas(d, ["sliding-order", "weights-shoulder-turns"])?;
     room_falls_along_sliding(d)?;
     d.conclude(
         "About pure sliding from T to B, W = 0 at the joint, which by (5) is below pi/2. Further along W < 0 \
@@ -220,13 +207,13 @@ fn lines_rise(d: &mut Derivation) -> Checked {
 }
 
 fn dividing_lines_compared(d: &mut Derivation) -> Checked<Finding> {
-    lemmas(d, [&LINES_RISE, &STATES_OF_ONE_THICKNESS, &SLOPES_OF_FRICTION])?;
+    lemmas(d, ["weights-lines-rise", "curve-weights", "friction-slopes"])?;
     d.conclude(
         "About pure rotation, at one thickness, alpha and h are smaller for Milankovitch's weight, so that M \
          is smaller, as mu_ss grows with both, and m = mu_is(h) is larger: [r,r,r]|[s,r,r] lies left, \
          [r,r,r]|[r,r,s] right.",
     )?;
-    lemmas(d, [&WHERE_THE_SHOULDER_TURNS, &WHERE_THE_JOINT_IS_GIVEN])?;
+    lemmas(d, ["weights-shoulder-turns", "weights-joint-given"])?;
     d.conclude(
         "On the other lines friction gives the thrust by (18) and, on those about pure sliding, the half \
          opening too, the same for both weights. On [s,r,r]|[s,s] the thickness follows from (2) and (5), \

@@ -7,60 +7,28 @@ use crate::number::{Ball, Decimal, Enclosure, Rounded};
 /// A value with its words and its unit.
 type MeasuredValue<'a> = (&'a str, &'a Ball, &'a str);
 
-/// Bounds of values in a derivation: decimals next to each, between which it is proved to lie.
-pub(super) struct MeasuredBounds<'a> {
-    pub(super) d: &'a mut Derivation,
-    hold: Vec<String>,
-    fail: Vec<String>,
+/// Checks between which neighbours of few significant digits a positive value lies; the upper one is noted as a
+/// bound that holds.
+pub(super) fn at_most(d: &mut Derivation, value: MeasuredValue<'_>, digits: usize) -> Checked {
+    let [below, above] = neighbours(d, value, digits)?;
+    note(d, value, "at most", [above, below])
 }
 
-impl<'a> MeasuredBounds<'a> {
-    /// No bounds yet.
-    pub(super) fn new(d: &'a mut Derivation) -> Self {
-        Self { d, hold: Vec::new(), fail: Vec::new() }
-    }
+/// Checks the same, and notes the lower one as the bound that holds.
+pub(super) fn at_least(d: &mut Derivation, value: MeasuredValue<'_>, digits: usize) -> Checked {
+    let ends = neighbours(d, value, digits)?;
+    note(d, value, "at least", ends)
+}
 
-    /// Checks between which neighbours of few significant digits a positive value lies; the upper one is
-    /// noted as a bound that holds.
-    pub(super) fn at_most(&mut self, value: MeasuredValue<'_>, digits: usize) -> Checked {
-        let [below, above] = neighbours(self.d, value, digits)?;
-        self.note(value, "at most", [above, below])
-    }
-
-    /// Adds a bound of which the lower end is the one that holds.
-    pub(super) fn at_least(&mut self, value: MeasuredValue<'_>, digits: usize) -> Checked {
-        let ends = neighbours(self.d, value, digits)?;
-        self.note(value, "at least", ends)
-    }
-
-    fn note(
-        &mut self,
-        (words, _, unit): MeasuredValue<'_>,
-        is: &str,
-        ends: [Decimal; 2],
-    ) -> Checked {
-        let [holds, fails] = ends.map(|end| format!("{words}: {is} {end}{unit}"));
-        self.hold.push(holds);
-        self.fail.push(fails);
-        Ok(())
-    }
-
-    /// Notes a number with which the sentence holds besides. It may end a proof, as a conclusion does.
-    pub(super) fn holds(&mut self, words: &str) -> Checked {
-        self.hold.push(words.to_owned());
-        Ok(())
-    }
-
-    /// Notes where the sentence fails besides.
-    pub(super) fn fails(&mut self, words: &str) -> Checked {
-        self.fail.push(words.to_owned());
-        Ok(())
-    }
-
-    /// The bounds that hold, and those next to them that do not.
-    pub(super) fn texts(self) -> [String; 2] {
-        [self.hold, self.fail].map(|bounds| bounds.join("; "))
-    }
+fn note(
+    d: &mut Derivation,
+    (words, _, unit): MeasuredValue<'_>,
+    is: &str,
+    ends: [Decimal; 2],
+) -> Checked {
+    let [holds, fails] = ends.map(|end| format!("{words}: {is} {end}{unit}"));
+    d.holds(holds)?;
+    d.fails(fails)
 }
 
 /// A value to some significant digits.

@@ -1,9 +1,8 @@
 //! The motion of each mode: its blocks fit, its rates have their signs, it moves where joints are at their limits,
 //! and the weight works by as much as friction takes.
 
-use super::contacts::{CONTACTS, label};
+use super::contacts::label;
 use super::letters::{ring, variables};
-use super::modes::{LEVER, SEVEN_MODES};
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::{Contact, Joint, Mechanism, Twist};
 use crate::arch::{Configuration, contact, sliding, thrust};
@@ -63,7 +62,7 @@ fn compatible(d: &mut Derivation) -> Checked {
 }
 
 fn rates(d: &mut Derivation) -> Checked {
-    lemmas(d, [&SEVEN_MODES, &LEVER])?;
+    lemmas(d, ["modes-seven", "modes-lever"])?;
     let mu = OPENS.number();
     for mode in Mode::ALL {
         let at = at(mode);
@@ -114,7 +113,7 @@ fn rates(d: &mut Derivation) -> Checked {
 }
 
 fn crown_opens(d: &mut Derivation) -> Checked {
-    lemmas(d, [&SEVEN_MODES, &LEVER])?;
+    lemmas(d, ["modes-seven", "modes-lever"])?;
     let arm = |mode| contact::rates_of_inner_sliding(&at(mode)).sliding;
     d.define("a, the lever arm below the crown", &arm(Mode::Overturning));
     for mode in [Mode::Overturning, Mode::OverturningSliding] {
@@ -192,7 +191,7 @@ fn at_limit(d: &mut Derivation) -> Checked {
 }
 
 fn power(d: &mut Derivation) -> Checked {
-    lemmas(d, [&CONTACTS])?;
+    lemmas(d, ["modes-contacts"])?;
     let (mu, p) = (Symbol::Friction.number(), Symbol::CrownMoment.number());
     for (dilatancy, rule) in [(mu.int(0), "without dilatancy"), (mu.clone(), "with it")] {
         for mode in Mode::ALL {

@@ -13,7 +13,7 @@
 //! term on each side.
 
 use super::along::CurveStates;
-use super::contacts::{CONTACTS, label, margin_at, row_at, slopes};
+use super::contacts::{label, margin_at, row_at, slopes};
 use super::landmarks::{certain_if, state_of};
 use super::letters::{ring, variables, with};
 use super::{Checked, Derivation, Support, claims, lemmas};
@@ -25,10 +25,10 @@ use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 use rug::Rational;
 
 claims! {
-    Implicit("modes-lever", "Sec. 3", lever) as LEVER:
+    Ours("modes-lever", "Sec. 3", lever):
         "a line of thrust on the shoulder's extrados and on the intrados above it has a positive lever arm between \
          the two";
-    AsPrinted("modes-seven", "Sec. 3", seven_modes) as SEVEN_MODES:
+    AsPrinted("modes-seven", "Sec. 3", seven_modes):
         "the seven modes are all the symmetric ones there are: a mechanism without dilatancy that is its own mirror \
          image is one of them, or several at once";
     AsPrinted("modes-occur", "Sec. 3", modes_occur): "each of the seven modes occurs, with either weight";
@@ -63,7 +63,7 @@ fn lever(d: &mut Derivation) -> Checked {
 }
 
 fn seven_modes(d: &mut Derivation) -> Checked {
-    lemmas(d, [&CONTACTS, &LEVER])?;
+    lemmas(d, ["modes-contacts", "modes-lever"])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, crown) = (Symbol::Thrust.number(), Angle::zero(&ring.thickness));
     let two = h.int(2);
@@ -117,15 +117,7 @@ fn seven_modes(d: &mut Derivation) -> Checked {
         &slope,
         thick * &joint.sin - ring.intrados() * shear / &two,
     )?;
-    d.theorem(
-        "Modes.mechanism_is_one_of_moves",
-        "a symmetric mechanism has one haunch and one joint that slides inwards",
-    )?;
-    d.theorem(
-        "Modes.sum_of_modes",
-        "it is a sum of [r,r,r], [s,r,r], that of a shoulder that turns and a joint that slides, and [s,s], with \
-         their joints where these modes have them",
-    )?;
+    d.theorems(["Modes.mechanism_is_one_of_moves", "Modes.sum_of_modes"])?;
     d.conclude(
         "The third, s and v, is [r,r,s] for beta_r >= beta_s, [r,s,r] for 0 < beta_r <= beta_s and [r,s] for \
          beta_r = 0.",
@@ -136,10 +128,7 @@ fn seven_modes(d: &mut Derivation) -> Checked {
         let margin = with(&margin_at(contact, &crown), &[Symbol::Thrust], &h.int(0));
         d.identity(words, &margin, &expected)?;
     }
-    d.theorem(
-        "Modes.modes_without_limit",
-        "with unlimited friction it is [r,r,r] or, without thrust, [r]",
-    )
+    d.theorems(["Modes.modes_without_limit"])
 }
 
 /// A half opening and a friction.

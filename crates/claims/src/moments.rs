@@ -15,7 +15,7 @@ claims! {
         "h_2 is the thrust that puts the line of thrust on the extrados at the crown and at the shoulder";
     AsPrinted("eq-4-forms", "Eq. (4)", opening_variable_forms):
         "A(alpha) = alpha sin(alpha)/(1 - cos(alpha)) = alpha cot(alpha/2)";
-    Implicit("eq-2-4-imply-3", "Sec. 2.1", upper_follows) as UPPER_FOLLOWS: "(3) follows from (2) and (4)";
+    Implicit("eq-2-4-imply-3", "Sec. 2.1", upper_follows): "(3) follows from (2) and (4)";
     AsPrinted("eq-5", "Eq. (5)", tangency):
         "h_e is the thrust at which the line of thrust is tangent to the intrados at beta";
     AsPrinted("eq-5-forms", "Eq. (5)", tangency_forms): "both printed forms of h_e are equal";

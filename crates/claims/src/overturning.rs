@@ -23,7 +23,7 @@ claims! {
         "eta_l = 1, A_l = 2/3 (Heyman); eta_l = 2 (2√3 - 3), A_l = √3 - 1 (Milankovitch)";
     AsPrinted("limit-L", "Sec. 2.1, Tables 3-4", physical_limit):
         "at eta = 2: A_L = 1/2 (Heyman), A_L = 2/3 (Milankovitch)";
-    Implicit("alpha-one-to-one", "Sec. 2.1", opening_variable_falls) as A_FIXES_ALPHA:
+    Implicit("alpha-one-to-one", "Sec. 2.1", opening_variable_falls):
         "A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha";
     AsPrinted("alpha-L-is-alpha-l", "Sec. 2.1", shared_opening):
         "alpha_L of Milankovitch's weight is alpha_l of Heyman's";
@@ -105,7 +105,7 @@ fn milankovitch_branch(d: &mut Derivation) -> Checked {
     let sum = a.int(3) * &a + a.int(3) * &a - a.int(4);
     let expected = (a.int(3) * &a - a.int(2)) * a.int(2);
     d.identity("the two roots have the sum 6A, and 6A - 4 = 2 (3A - 2) >= 0", &sum, &expected)?;
-    lemmas(d, [&A_FIXES_ALPHA])?;
+    lemmas(d, ["alpha-one-to-one"])?;
     let end = slope.evaluate(&Rational::new(), |_| Rational::from(2));
     d.equal("dA/d eta at eta = 2", &end, &Rational::new())?;
     d.conclude(

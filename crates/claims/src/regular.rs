@@ -8,31 +8,27 @@ use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
 
 claims! {
-    Implicit("eq-18-cycloid", "Eq. (18)", cycloid) as CYCLOID:
+    Ours("eq-18-cycloid", "Eq. (18)", cycloid):
         "(18) is a cycloid: h = cos²(chi), beta_s = sin(chi) cos(chi) and phi = chi - sin(chi) cos(chi), with chi in \
          (0, pi/2) the inclination of the force on the joint that slides";
-    Implicit("eq-17-angles", "Eq. (17)", shoulder) as SHOULDER_IN_ANGLES:
+    Ours("eq-17-angles", "Eq. (17)", shoulder):
         "(17) is h sin(alpha - phi) = alpha cos(alpha - phi), and N is cos(phi) times h cos(alpha - phi) + alpha \
          sin(alpha - phi)";
-    Implicit("eq-17-flat", "Eq. (17), (18)", flat_shoulder):
+    Ours("eq-17-flat", "Eq. (17), (18)", flat_shoulder):
         "the purely sliding states of flat arches: with q = (alpha - phi)/chi, (17) is chi³ times q (q² (c_2 - c_3) \
          - c_1(chi²)² c_1) - 4 c_3(4 chi²) c_0, Stumpff's functions at q² chi²";
-    Implicit("eq-2-touching", "Eq. (2)-(5)", touching):
+    Ours("eq-2-touching", "Eq. (2)-(5)", touching):
         "(2) and (5) hold where (5) does and h = (2 - eta)/(2 eta) (1 - cos(beta)) (beta/sin(beta) - 1), which has \
          no quotient that vanishes with the thickness";
-    Implicit("eq-2-square", "Eq. (2)-(5)", squares):
+    Ours("eq-2-square", "Eq. (2)-(5)", squares):
         "(2)-(5) see the joint through functions of its square, analytic at the crown, and A through those of a \
          quarter of that of the half opening";
 }
 
-/// `chi` in the letters of the half opening.
-fn inclination() -> Angle<Fraction> {
-    Symbol::half_opening()
-}
-
 fn cycloid(d: &mut Derivation) -> Checked {
     d.assume("0 < chi < pi/2");
-    let chi = inclination();
+    // The letters of the half opening are those of chi.
+    let chi = Symbol::half_opening();
     let (h, beta) = (cycloid::thrust(&chi), cycloid::joint(&chi));
     let steepest = sliding::steepest(&beta, &h);
     d.on_circle("beta_s² - h (1 - h), with chi for alpha", &steepest, h.int(0))?;
@@ -74,9 +70,9 @@ fn functions(u: &Fraction) -> [Fraction; 4] {
 }
 
 fn flat_shoulder(d: &mut Derivation) -> Checked {
-    lemmas(d, [&CYCLOID, &SHOULDER_IN_ANGLES])?;
+    lemmas(d, ["eq-18-cycloid", "eq-17-angles"])?;
     d.assume("0 < chi; c_2, c_3 at q² chi² are the letters f, g, and u stands for q");
-    let (chi, q) = (inclination(), Symbol::CubeRoot.number());
+    let (chi, q) = (Symbol::half_opening(), Symbol::CubeRoot.number());
     let angle = chi.rad.clone() * &q;
     let at_shoulder = functions(&angle.square());
     let sine = angle.clone() * &at_shoulder[1];

@@ -19,7 +19,7 @@ use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
 
 claims! {
-    Implicit("rise-relief", "Fig. 1", relieved) as RELIEF:
+    Ours("rise-relief", "Fig. 1", relieved):
         "up to a half circle a shoulder that slides has h >= 1 - alpha²/4 and, for h < 1, (alpha - h (1 - h)/alpha) \
          tan(alpha/2) more than [3 (1 - h) + (1 - h)²]/2";
 }

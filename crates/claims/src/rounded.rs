@@ -1,9 +1,8 @@
 //! Values that the text gives to few digits, and frictions that are said to suffice.
 
 use super::along::{self, CurveStates, landmark};
-use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::landmarks::{both, certain_if, semicircle, state_of};
-use super::measured::MeasuredBounds;
+use super::measured::at_most;
 use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::Undecided;
@@ -87,29 +86,24 @@ fn rounded_values(d: &mut Derivation) -> Checked {
     Ok(())
 }
 
-fn nearness(bounds: &mut MeasuredBounds<'_>) -> Checked {
+fn nearness(d: &mut Derivation) -> Checked {
     for weight in SelfWeight::ALL {
         let shift = landmark(Landmark::Shift, weight)?;
         let junction = landmark(Landmark::Junction, weight)?;
         for unknown in [Unknown::Thickness, Unknown::Friction] {
             let distance = junction.value(unknown).clone() - shift.value(unknown);
             let words = format!("{} from S to J, {weight} weight", unknown.name());
-            bounds.at_most((&words, &distance, ""), 3)?;
+            at_most(d, (&words, &distance, ""), 3)?;
         }
     }
     Ok(())
 }
 
 /// Notes a friction, and its angle, that is the least to suffice.
-fn least_friction(
-    bounds: &mut MeasuredBounds<'_>,
-    words: &str,
-    friction: &Ball,
-    digits: usize,
-) -> Checked {
-    bounds.at_most((words, friction, ""), digits)?;
+fn least_friction(d: &mut Derivation, words: &str, friction: &Ball, digits: usize) -> Checked {
+    at_most(d, (words, friction, ""), digits)?;
     let degrees = degrees(&arctangent(friction));
-    bounds.at_most(("its angle", &degrees, "°"), 3)
+    at_most(d, ("its angle", &degrees, "°"), 3)
 }
 
 /// Checks the mode of an arch; with the other friction it has another.
@@ -125,40 +119,38 @@ fn collapses(
     })
 }
 
-fn semicircle_suffices(bounds: &mut MeasuredBounds<'_>) -> Checked {
+fn semicircle_suffices(d: &mut Derivation) -> Checked {
     let sufficient = [(SelfWeight::Milankovitch, "0.3953"), (SelfWeight::Heyman, "0.3959")];
     for (weight, enough) in sufficient {
         let words = format!("the friction that the shoulder asks for, {weight} weight");
-        least_friction(bounds, &words, &semicircle(weight)?[1], 4)?;
-        collapses(bounds.d, ("pi/2", [enough, "0.395"]), weight, Mode::Rotational)?;
-        collapses(bounds.d, ("pi/2", ["0.395", enough]), weight, Mode::SlidingRotational)?;
+        least_friction(d, &words, &semicircle(weight)?[1], 4)?;
+        collapses(d, ("pi/2", [enough, "0.395"]), weight, Mode::Rotational)?;
+        collapses(d, ("pi/2", ["0.395", enough]), weight, Mode::SlidingRotational)?;
     }
-    bounds.fails("a friction of 0.395 itself: [s,r,r] with either weight")
+    d.fails("a friction of 0.395 itself: [s,r,r] with either weight")
 }
 
-fn no_shoulder_sliding(bounds: &mut MeasuredBounds<'_>) -> Checked {
-    lemmas(bounds.d, [&NO_SHOULDER_SLIDING_BEYOND_T])?;
+fn no_shoulder_sliding(d: &mut Derivation) -> Checked {
+    lemmas(d, ["map-T-shoulder"])?;
     let (weight, words) = (SelfWeight::Milankovitch, "mu_T, milankovitch weight");
-    least_friction(bounds, words, &landmark(Landmark::Triple, weight)?.friction, 5)?;
-    collapses(bounds.d, ("2.430058", ["1.277", "1.3"]), weight, Mode::SlidingRotational)?;
-    bounds.fails("a friction of 1.277 itself: alpha = 2.430058 is [s,r,r]")
+    least_friction(d, words, &landmark(Landmark::Triple, weight)?.friction, 5)?;
+    collapses(d, ("2.430058", ["1.277", "1.3"]), weight, Mode::SlidingRotational)?;
+    d.fails("a friction of 1.277 itself: alpha = 2.430058 is [s,r,r]")
 }
 
-fn no_pure_sliding(bounds: &mut MeasuredBounds<'_>) -> Checked {
-    lemmas(bounds.d, [&NO_PURE_SLIDING_BEYOND_B])?;
+fn no_pure_sliding(d: &mut Derivation) -> Checked {
+    lemmas(d, ["map-B"])?;
     let (weight, words) = (SelfWeight::Milankovitch, "mu_B, milankovitch weight");
     let friction = landmark(Landmark::Border, weight)?.friction;
-    least_friction(bounds, words, &friction, 5)?;
+    least_friction(d, words, &friction, 5)?;
     // An arch thinner than B that slides purely with hardly less friction.
     let (text, alpha) = ("2.62307", Rational::from((262_307, 100_000)));
     let slides = CurveStates::sliding(&alpha)?.inner_friction();
     let least = Ball::enclosing(&Rational::from((18_537, 10_000)), slides.prec());
-    bounds
-        .d
-        .less(format!("alpha = {text} slides purely with more than 1.8537"), [&least, &slides])?;
+    d.less(format!("alpha = {text} slides purely with more than 1.8537"), [&least, &slides])?;
     let state = state_of(text, "1.8538", weight)?;
-    bounds.d.less("with 1.8538 it stands, with eta < 2", [&state.thickness, &friction.int(2)])?;
+    d.less("with 1.8538 it stands, with eta < 2", [&state.thickness, &friction.int(2)])?;
     let printed = Ball::enclosing(&Rational::from((1854, 1000)), friction.prec());
-    bounds.d.less("mu_B is below 1.854", [&friction, &printed])?;
-    bounds.holds("a friction of 1.854 itself")
+    d.less("mu_B is below 1.854", [&friction, &printed])?;
+    d.holds("a friction of 1.854 itself")
 }

@@ -13,20 +13,14 @@
 //! ```
 
 use super::along::landmark;
-use super::contacts::{CONTACTS, margin_at};
-use super::curve::{
-    ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_THICKNESS, cubic_of,
-};
-use super::domains::{INNER_SLIDING_BEYOND_T, NO_SHOULDER_SLIDING_BEYOND_T};
+use super::contacts::margin_at;
+use super::curve::cubic_of;
 use super::letters::ring;
-use super::modes::LEVER;
 use super::rises::{
-    RELIEF, centroids, opening_variable, rate_of_opening, relief, slenderness, sliding_shoulder,
+    centroids, opening_variable, rate_of_opening, relief, slenderness, sliding_shoulder,
     thrust_of_haunch,
 };
 use super::states::at_all_states;
-use super::surveys::{CORNERS, RISE};
-use super::uniqueness::ONE_HALF_OPENING;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, statics};
@@ -38,20 +32,20 @@ use rug::Rational;
 use std::sync::OnceLock;
 
 claims! {
-    Implicit("safety-opening", "Fig. 1", opening) as OPENING:
+    Ours("safety-opening", "Fig. 1", opening):
         "for 0 < alpha < pi, alpha/sin(alpha) - 1 is more than y + y²/2, y = 2 - A";
-    Implicit("safety-haunch", "Sec. 2.1", haunch) as HAUNCH:
+    Ours("safety-haunch", "Sec. 2.1", haunch):
         "at the haunch of each purely rotational state up to eta = 39/50, whatever delta_M between 0 and 1, three \
          numbers are positive: what is left of y + y²/2 by the haunch, of [3 (1 - h) + (1 - h)²]/2 and of 4/3 by the \
          growth of h where eta/(1 - cos(alpha))² is kept";
-    Implicit("safety-rotation", "Fig. 1", rotation) as ROTATION:
+    Ours("safety-rotation", "Fig. 1", rotation):
         "along the purely rotational and overturning states eta/(1 - cos(alpha))² grows with the half opening";
-    Implicit("safety-shoulder", "Fig. 1", shoulder) as SHOULDER:
+    Ours("safety-shoulder", "Fig. 1", shoulder):
         "where the shoulder slides and the haunch is on the intrados, the shoulder is relieved as the half opening \
          falls and eta/(1 - cos(alpha))² is kept, though it makes the thrust grow";
-    Implicit("safety-inner", "Fig. 1", inner) as INNER:
+    Ours("safety-inner", "Fig. 1", inner):
         "where an inner joint slides, the same way relieves the shoulder's extrados";
-    Implicit("survey-safety", "Fig. 1", safety):
+    Ours("survey-safety", "Fig. 1", safety):
         "of the arches with one thickness, rise and friction a longer one has no smaller geometric safety, eta over \
          its least value, wherever the rise is measured: of those between measured ends it is least and largest at \
          the corners that stand least and most easily";
@@ -136,14 +130,14 @@ impl<T: Field> JointNumbers<T> {
 }
 
 /// Line of thrust and ring at a haunch.
-struct ThrustAtHaunch<'a, T> {
-    joint: &'a JointNumbers<T>,
+struct ThrustAtHaunch<T> {
+    joint: JointNumbers<T>,
     thrust: T,
     centroids: T,
     slenderness: T,
 }
 
-impl<T: Field> ThrustAtHaunch<'_, T> {
+impl<T: Field> ThrustAtHaunch<T> {
     /// `1 - tau`.
     fn rest(&self) -> T {
         self.thrust.int(1) - &self.slenderness
@@ -166,7 +160,7 @@ impl<T: Field> ThrustAtHaunch<'_, T> {
 
     /// Room that the haunch leaves of `y + y²/2`, over `q (1 - cos(beta))`.
     fn rotation(&self) -> T {
-        let (joint, [k, s]) = (self.joint, [self.load(), self.lever()]);
+        let (joint, [k, s]) = (&self.joint, [self.load(), self.lever()]);
         let one = k.int(1);
         let m = one.int(2) - &joint.lag + &k;
         let gain = m.square() * self.arm() / one.int(2) + m * &s;
@@ -204,7 +198,7 @@ fn rooms<T: Field>(joint: &T, delta: &T, eta: &T, unit: &T) -> [T; 3] {
     let centroids = eta.int(2) * &ring.centroid_factor / ring.extrados();
     let rest = eta.int(1) - &slenderness;
     let thrust = joint.times_cotangent.clone() + eta.int(1) - centroids.clone() / rest;
-    let haunch = ThrustAtHaunch { joint: &joint, thrust, centroids, slenderness };
+    let haunch = ThrustAtHaunch { joint, thrust, centroids, slenderness };
     [haunch.rotation(), haunch.narrow(), haunch.wide()]
 }
 
@@ -253,7 +247,7 @@ fn at_haunches(sign: i32) -> Checked<usize> {
 }
 
 fn haunch(d: &mut Derivation) -> Checked {
-    lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS])?;
+    lemmas(d, ["curve-joint"])?;
     static DECIDED: OnceLock<Checked<usize>> = OnceLock::new();
     let pieces = DECIDED.get_or_init(|| at_haunches(1)).clone()?;
     let words =
@@ -275,8 +269,8 @@ fn haunch(d: &mut Derivation) -> Checked {
 }
 
 /// A haunch in letters: the joint and the thrust are free, ring and centroids are those of (2) and (5).
-fn haunch_in_letters(joint: &JointNumbers<Fraction>) -> ThrustAtHaunch<'_, Fraction> {
-    let h = Symbol::Thrust.number();
+fn haunch_in_letters() -> ThrustAtHaunch<Fraction> {
+    let (joint, h) = (JointNumbers::of_angle(&Symbol::joint()), Symbol::Thrust.number());
     let sum = h.clone() + joint.excess.clone() * &joint.versine;
     let slenderness = joint.excess.clone() * &joint.versine / &sum;
     let touching = joint.times_cotangent.clone() + h.int(1) - &h;
@@ -304,7 +298,7 @@ fn slenderness_of_haunch(d: &mut Derivation) -> Checked {
 }
 
 fn rotation(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS, &OPENING, &HAUNCH])?;
+    lemmas(d, ["curve-order", "curve-weights", "safety-opening", "safety-haunch"])?;
     rate_of_opening(d)?;
     slenderness_of_haunch(d)?;
     let (joint, one) = (Symbol::joint(), Symbol::Thrust.number().int(1));
@@ -316,15 +310,14 @@ fn rotation(d: &mut Derivation) -> Checked {
     let asked = -along_the_square(&(h + centroids()));
     let words = "-E a, where a = h + g, h of (2), is what a haunch asks of A";
     d.on_circle(words, asked, loss / arm)?;
-    let parts = JointNumbers::of_angle(&joint);
-    let at = haunch_in_letters(&parts);
+    let at = haunch_in_letters();
     let lack = one.int(2) - &at.thrust - &at.centroids;
     let (tau, half) = (&at.slenderness, one.ratio(1, 2));
     let normal = statics::normal_force(&joint, &at.thrust);
     let loss = (one.int(2) - tau) * (normal * tau + tau.square() * &joint.cos * &half);
-    let arm = parts.versine.clone() + joint.cos.clone() * tau;
+    let arm = at.joint.versine.clone() + joint.cos.clone() * tau;
     let value = (lack.clone() + lack.square() * &half) * arm - loss;
-    let scale = parts.excess.clone() * &parts.versine * &parts.versine;
+    let scale = at.joint.excess.clone() * &at.joint.versine * &at.joint.versine;
     let words = "[y + y²/2 + E a] times the lever arm, with 1/2 for n, which is no more";
     d.on_circle(words, value, scale * at.rotation())?;
     d.conclude(
@@ -349,7 +342,7 @@ fn rotation(d: &mut Derivation) -> Checked {
 }
 
 fn shoulder(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STATES_IN_ORDER, &HAUNCH, &RELIEF, &NO_SHOULDER_SLIDING_BEYOND_T])?;
+    lemmas(d, ["curve-order", "safety-haunch", "rise-relief", "map-T-shoulder"])?;
     sliding_shoulder(d)?;
     slenderness_of_haunch(d)?;
     let (joint, tau) = (Symbol::joint(), slenderness());
@@ -359,17 +352,16 @@ fn shoulder(d: &mut Derivation) -> Checked {
     let growth = (one.int(2) - &tau) * &tau * (normal - fall_of_centroids() * joint.versine());
     let arm = joint.versine() + tau * &joint.cos;
     d.on_circle("-E h, h of (2)", -along_the_square(&h), growth / arm)?;
-    let parts = JointNumbers::of_angle(&joint);
-    let at = haunch_in_letters(&parts);
+    let at = haunch_in_letters();
     let normal = statics::normal_force(&joint, &at.thrust);
     let tau = &at.slenderness;
-    let arm = parts.versine.clone() + joint.cos.clone() * tau;
+    let arm = at.joint.versine.clone() + joint.cos.clone() * tau;
     let words = "without n: q times the bound of the growth";
     let value = (one.int(2) - tau) * normal * tau / arm;
-    d.on_circle(words, value, at.growth() * &parts.excess)?;
+    d.on_circle(words, value, at.growth() * &at.joint.excess)?;
     let lack = one.clone() - &at.thrust;
-    let thin = at.rest() * &parts.versine / (at.thrust.clone() * one.int(2));
-    let bound = (one.int(2) + at.load() - &parts.lag - thin) * &parts.excess;
+    let thin = at.rest() * &at.joint.versine / (at.thrust.clone() * one.int(2));
+    let bound = (one.int(2) + at.load() - &at.joint.lag - thin) * &at.joint.excess;
     let words = "1 - h, less g - 1 + tau/2, which is delta_M eta²/(6 (2 + eta))";
     let lift = at.centroids.clone() - &one + at.slenderness.clone() / one.int(2);
     d.on_circle(words, lack - lift, bound)?;
@@ -395,7 +387,7 @@ fn shoulder(d: &mut Derivation) -> Checked {
 }
 
 fn inner(d: &mut Derivation) -> Checked {
-    lemmas(d, [&INNER_SLIDING_BEYOND_T, &CORNERS])?;
+    lemmas(d, ["map-T-inner", "survey-corners"])?;
     let (haunch, shoulder) = (Symbol::joint(), Symbol::half_opening());
     let (h, tau, n) = (Symbol::Thrust.number(), slenderness(), fall_of_centroids());
     let (one, two) = (h.int(1), h.int(2));
@@ -428,8 +420,9 @@ fn inner(d: &mut Derivation) -> Checked {
 
 fn safety(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 < mu <= inf, delta_M = 0 or 1, the thickness at most twice the radius of the centreline");
-    lemmas(d, [&CORNERS, &CONTACTS, &LEVER, &RISE, &ROTATION, &SHOULDER, &INNER])?;
-    lemmas(d, [&ONE_HALF_OPENING, &INNER_SLIDING_BEYOND_T])?;
+    lemmas(d, ["survey-corners", "modes-contacts", "modes-lever", "survey-rise"])?;
+    lemmas(d, ["safety-rotation", "safety-shoulder", "safety-inner", "map-function"])?;
+    lemmas(d, ["map-T-inner"])?;
     let alpha = Symbol::half_opening();
     let eta = ring().thickness;
     let kept = eta.clone() / alpha.versine().square();
@@ -456,10 +449,7 @@ fn safety(d: &mut Derivation) -> Checked {
          for the largest. Without a limit of friction what stands is closed too, as the least thrust is then h_R, which \
          is continuous.",
     )?;
-    d.theorem(
-        "Attained.goes_on_standing",
-        "along a way on which each arch that stands is followed by some that stand, all of them do",
-    )?;
+    d.theorems(["Attained.goes_on_standing"])?;
     d.argue(
         "So the least eta falls at least as fast as (1 - cos(alpha))² as the half opening falls, and the measured one, up \
          to 2, does not fall faster: their quotient does not fall.",

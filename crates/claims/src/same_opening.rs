@@ -6,9 +6,7 @@
 //! sums whose terms have one sign each.
 
 use super::along::moving;
-use super::curve::{
-    ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_THICKNESS, cubic_of,
-};
+use super::curve::cubic_of;
 use super::landmarks::state_of;
 use super::letters::ring;
 use super::states::at_all_states;
@@ -20,11 +18,11 @@ use rug::Rational;
 use std::sync::OnceLock;
 
 claims! {
-    AsPrinted("weights-rotation", "Sec. 2.1, Fig. 2", states_of_one_opening) as STATES_OF_ONE_OPENING:
+    AsPrinted("weights-rotation", "Sec. 2.1, Fig. 2", states_of_one_opening):
         "at every half opening below alpha_l of Milankovitch's weight its purely rotational state has a larger \
          thickness, a smaller thrust and a smaller joint than that of Heyman's, whose beta_r overshoots everywhere, \
          not only about the peak";
-    AsPrinted("weights-differences", "Sec. 2.1, Fig. 2", differences_grow) as DIFFERENCES_GROW:
+    AsPrinted("weights-differences", "Sec. 2.1, Fig. 2", differences_grow):
         "from alpha = 2/5 up to 2.58 the relative differences of eta, h and beta_r between the two weights grow with \
          the half opening; up to 2/5 they are below 0.01 %";
 }
@@ -97,7 +95,7 @@ fn widening<T: Field>(joint: &Angle<T>, delta: &T, eta: &T, h: &T) -> T {
 }
 
 fn states_of_one_opening(d: &mut Derivation) -> Checked {
-    lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS, &STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS])?;
+    lemmas(d, ["curve-joint", "curve-order", "curve-weights"])?;
     d.assume("0 <= delta_M <= 1");
     let (joint, ring) = (Symbol::joint(), ring());
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
@@ -195,7 +193,7 @@ fn grown() -> Checked<usize> {
 }
 
 fn differences_grow(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STATES_OF_ONE_OPENING])?;
+    lemmas(d, ["weights-rotation"])?;
     let pieces = grown()?;
     let words = "d log/d delta_M of eta, h and beta_r grow in size with eta along the states of any \
                  delta_M, eta in [1/2000, 9/10]";

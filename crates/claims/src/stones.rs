@@ -15,10 +15,10 @@ use crate::number::{Angle, Field};
 use crate::symbolic::{Letters, Symbol};
 
 claims! {
-    Implicit("stones-sums", "Eq. (19)", sums) as STONES_ADD_UP:
+    Implicit("stones-sums", "Eq. (19)", sums):
         "the weights of stones at their true centroids add up, above each joint, to the force and the moment of the \
          continuous arch: an arch of stones stands wherever that with a joint at every angle does";
-    Implicit("stones-joints", "Eq. (19)", each_joint):
+    Ours("stones-joints", "Eq. (19)", each_joint):
         "an arch of stones with a joint at the crown has one thrust at which each joint is judged by itself: that of \
          (4), or the next to it that friction allows. Its least thickness is the largest over its joints of the one \
          from which on the line of thrust is above the intrados there";
@@ -61,7 +61,7 @@ fn sums(d: &mut Derivation) -> Checked {
 }
 
 fn each_joint(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STONES_ADD_UP])?;
+    lemmas(d, ["stones-sums"])?;
     d.assume("0 < eta <= 2; joints at 0, at alpha < pi and between; a state is symmetric");
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let h = Symbol::Thrust.number();
@@ -87,26 +87,12 @@ fn each_joint(d: &mut Derivation) -> Checked {
         let words = format!("{} is free of p", label(contact));
         d.identity(words, free(contact), margin_at(contact, &joint))?;
     }
-    d.theorem(
-        "Stones.nearest_thrust",
-        "of two thrusts one, or that of (4) between them, leaves room to the intrados of every joint to which one of them does",
-    )?;
-    d.theorem(
-        "Stones.each_joint_by_itself",
-        "an arch of stones stands exactly if each of its joints would, alone between crown and shoulder with the friction of all",
-    )?;
-    d.theorem(
-        "Stones.joint_alone_in_thicker",
-        "a joint that stands alone does in each thicker arch, up to 2",
-    )?;
-    d.theorem(
-        "Stones.least_thickness_of_stones",
-        "the least thickness of an arch of stones is the largest of those of its joints",
-    )
+    d.theorems(["Stones.nearest_thrust", "Stones.each_joint_by_itself"])?;
+    d.theorems(["Stones.joint_alone_in_thicker", "Stones.least_thickness_of_stones"])
 }
 
 fn programme(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STONES_ADD_UP])?;
+    lemmas(d, ["stones-sums"])?;
     d.assume(
         "joints at finitely many angles, and rates that fit: not negative, not all zero, so that they may add up to \
          one. With finite friction there are some. Without a limit of friction there may be none; then (19) has no \
@@ -126,14 +112,5 @@ fn programme(d: &mut Derivation) -> Checked {
         let words = format!("phi of {} is linear in h, p and a vertical force", label(contact));
         d.identity(words, &phi, sum.fold(load, |sum, term| sum + term))?;
     }
-    d.theorem(
-        "Programme.zero_if_complementary",
-        "at forces that are borne and rates that fit the value of (20) is not negative, and zero exactly if the margin of each \
-         joint times its rate is",
-    )?;
-    d.theorem(
-        "Programme.least_value_is_attained",
-        "with margins that are affine in the forces and finitely many linear equations of the rates the value of (20) is least \
-         at some forces and rates, if any are borne and fit",
-    )
+    d.theorems(["Programme.zero_if_complementary", "Programme.least_value_is_attained"])
 }

@@ -20,23 +20,23 @@ use crate::problem::measures::{Circle, circle};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_opening};
 
 claims! {
-    Implicit("survey-corners", "Sec. 2", corners) as CORNERS:
+    Ours("survey-corners", "Sec. 2", corners):
         "each state that is admissible in an arch is so in every arch with the same weight, no wider half opening, no \
          less friction and no less thickness eta, up to 2: if the widest, least rough and thinnest arch of a box \
          stands all do, and if the narrowest, roughest and thickest falls all do";
-    Implicit("survey-course", "Fig. 1", course) as COURSE:
+    Ours("survey-course", "Fig. 1", course):
         "of the arches between measured spans, rises and thicknesses, the friction being one, none stands less easily \
          than a thinnest one with the longest span or the highest rise, and none more easily than a thickest one with \
          the shortest span or the lowest rise";
-    Implicit("survey-step", "Fig. 1", step):
+    Ours("survey-step", "Fig. 1", step):
         "of the arches with one span between two rises, or with one rise between two spans, none stands less easily \
          than one with the half opening of the highest or shortest and the larger radius of the two ends, and none \
          more easily than one with the half opening of the lowest or longest and the least radius, which is that of an \
          end or half the span";
-    Implicit("survey-rise", "Fig. 1", rise) as RISE:
+    Ours("survey-rise", "Fig. 1", rise):
         "if an arch stands, each with the same weight, thickness and rise and no less friction stands that has a \
          longer span, wherever the rise is measured";
-    Implicit("survey-worst", "Fig. 1", worst):
+    Ours("survey-worst", "Fig. 1", worst):
         "of the arches between measured spans, rises, thicknesses and frictions none stands less easily than the \
          thinnest and least rough one with the shortest span and the highest rise, and none more easily than the \
          thickest and roughest one with the longest span and the lowest rise";
@@ -83,14 +83,8 @@ fn corners(d: &mut Derivation) -> Checked {
     let at_limit = ring.intrados() * (h.int(6) + eta);
     let further = (h.int(1) - delta) * eta * (h.int(4) + eta);
     d.identity("the bracket: not negative up to eta = 2", held, at_limit + further)?;
-    d.theorem(
-        "Surveys.admissible_if_narrower_rougher_thicker",
-        "a state that is admissible in an arch is so in each narrower, rougher and thicker one",
-    )?;
-    d.theorem(
-        "Surveys.least_thickness_is_monotone",
-        "the least thickness does not fall as the half-angle grows, nor rise with the friction, whatever the modes",
-    )?;
+    d.theorems(["Surveys.admissible_if_narrower_rougher_thicker"])?;
+    d.theorems(["Surveys.least_thickness_is_monotone"])?;
     d.conclude(
         "The least friction does not fall as the half opening grows, nor rise with the thickness; the largest thrust h \
          falls with the half opening and rises with friction and thickness, the least rises and falls: all of them not \
@@ -136,7 +130,7 @@ fn ratio_of_thickness(d: &mut Derivation) -> Checked {
 
 fn course(d: &mut Derivation) -> Checked {
     d.assume("the thickness is at most twice the radius of the centreline");
-    lemmas(d, [&CORNERS])?;
+    lemmas(d, ["survey-corners"])?;
     geometry(d)?;
     ratio_of_thickness(d)?;
     let [span, rise] = measured();
@@ -166,7 +160,7 @@ fn course(d: &mut Derivation) -> Checked {
 }
 
 fn step(d: &mut Derivation) -> Checked {
-    lemmas(d, [&CORNERS, &COURSE])?;
+    lemmas(d, ["survey-corners", "survey-course"])?;
     let [span, rise] = measured();
     let [quotient, radius] = circle(&span, &rise);
     let quarter = span.clone() / (rise.int(4) * &rise);
@@ -192,7 +186,7 @@ fn step(d: &mut Derivation) -> Checked {
 
 fn rise(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 < eta <= 2, 0 < mu <= inf, 0 <= delta_M <= 1");
-    lemmas(d, [&CORNERS])?;
+    lemmas(d, ["survey-corners"])?;
     let (alpha, eta) = (Symbol::half_opening(), Symbol::Thickness.number());
     let over_rise = slenderness() / alpha.versine();
     let words = "D of tau/(1 - cos(alpha)), the thickness over the rise of the extrados";
@@ -204,21 +198,12 @@ fn rise(d: &mut Derivation) -> Checked {
         let words = format!("D of the logarithm of the thickness over the rise, {circle}");
         d.on_circle(words, along_the_rise(&over_rise) / &over_rise, expected)?;
     }
-    d.theorem(
-        "Rises.longer_arch_stands",
-        "what stands goes on standing as the half-angle falls and the thickness over the rise of the extrados does not, \
-         with finite friction and without a limit",
-    )?;
-    d.theorem(
-        "Rises.longer_span_stands",
-        "if an arch stands, each with the same weight, thickness and rise and no less friction stands that has a longer \
-         span, wherever the rise is measured",
-    )
+    d.theorems(["Rises.longer_arch_stands", "Rises.longer_span_stands"])
 }
 
 fn worst(d: &mut Derivation) -> Checked {
     d.assume("the thickness is at most twice the radius of the centreline");
-    lemmas(d, [&CORNERS, &COURSE, &RISE])?;
+    lemmas(d, ["survey-corners", "survey-course", "survey-rise"])?;
     let [span, rise] = measured();
     let scale = Symbol::Radius.number();
     let words = "q of an arch, and of that with k times the span and k times the rise";

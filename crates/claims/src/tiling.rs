@@ -6,17 +6,9 @@
 //! shoulder ends the arch where it is on the extrados or where it slides, and does so the later the smaller the thrust.
 
 use super::along::landmark;
-use super::contacts::{CONTACTS, margin_at};
-use super::curve::STATES_IN_ORDER;
-use super::domains::{INNER_SLIDING_BEYOND_T, NO_SHOULDER_SLIDING_BEYOND_T};
-use super::frictions::{
-    FRICTION_FOR_ROTATION_GROWS, FRICTION_OF_SMALL_THRUST, ROTATION_MEETS_SLIDING,
-    SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION,
-};
+use super::contacts::margin_at;
 use super::letters::{ring, variables};
-use super::modes::SEVEN_MODES;
 use super::overturning::end_of_rotation_is_simple;
-use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
@@ -25,11 +17,11 @@ use crate::problem::Landmark;
 use crate::symbolic::{Letters, Symbol, along_the_joint};
 
 claims! {
-    AsPrinted("map-columns", "Sec. 3, Fig. 5, 6", columns) as COLUMNS:
+    AsPrinted("map-columns", "Sec. 3, Fig. 5, 6", columns):
         "the modes fill the map: at a given friction they follow each other, as the thickness grows, in the order \
          [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [s,s], each on an interval or not at all; the second is left of \
          T, the next three are right of it";
-    Implicit("map-rows", "Sec. 3, Fig. 5, 6", rows):
+    Ours("map-rows", "Sec. 3, Fig. 5, 6", rows):
         "at a given half opening the modes follow each other as the friction grows: before T [s,s], [s,r,r], \
          [r,r,r], beyond T [s,s], [r,s], [r,s,r], [r,r,s], [r,r,r], each on an interval or not at all, so that the \
          line of a half opening meets each domain at most once";
@@ -43,10 +35,9 @@ claims! {
 
 fn columns(d: &mut Derivation) -> Checked {
     d.assume("0 < eta <= 2, 0 < mu < inf");
-    lemmas(d, [&ONE_HALF_OPENING, &SEVEN_MODES, &CONTACTS, &THICKER_HAS_ROOM])?;
-    lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST, &STATES_IN_ORDER])?;
-    lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &INNER_SLIDING_BEYOND_T])?;
-    lemmas(d, [&NO_SHOULDER_SLIDING_BEYOND_T])?;
+    lemmas(d, ["map-function", "modes-seven", "modes-contacts", "unique-thicker"])?;
+    lemmas(d, ["friction-slopes", "friction-unbounded", "curve-order", "friction-rotation"])?;
+    lemmas(d, ["map-T-inner", "map-T-shoulder"])?;
     let (at, ring) = (variables(), ring());
     let two = at.thrust.int(2);
     let lower = thrust::lower(&at.rotation_joint, &ring);
@@ -73,16 +64,8 @@ fn columns(d: &mut Derivation) -> Checked {
     let words = "-T at the shoulder: positive where it slides, so that h > alpha cot(alpha)";
     d.identity(words, -statics::shear_force(&at.half_opening, &at.thrust), &outwards)?;
     falls_with_the_thickness(d)?;
-    d.theorem(
-        "Map.each_point_has_a_mode",
-        "to each thickness and friction belongs one half-angle, and one of the modes moves it",
-    )?;
-    d.theorem(
-        "Map.modes_of_a_column",
-        "at one friction the modes follow each other as the thickness grows, if the friction of the shoulder grows \
-         along rotation",
-    )?;
-    d.theorem("Map.intervals_of_a_column", "so each is on an interval or not at all")?;
+    d.theorems(["Map.each_point_has_a_mode", "Map.modes_of_a_column"])?;
+    d.theorems(["Map.intervals_of_a_column"])?;
     d.conclude(
         "M grows along rotation, with the half opening and so with the thickness. [s,r,r] has at most the half opening \
          and the thickness of T, [r,r,s], [r,s,r] and [r,s] at least.",
@@ -111,9 +94,8 @@ pub(super) fn intrados_factor_grows(d: &mut Derivation, words: &str) -> Checked 
 
 fn rows(d: &mut Derivation) -> Checked {
     d.assume("0 < mu < inf, and the arch stands at a thickness up to 2");
-    lemmas(d, [&SEVEN_MODES, &ONE_THICKNESS, &SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
-    lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &INNER_SLIDING_BEYOND_T])?;
-    lemmas(d, [&NO_SHOULDER_SLIDING_BEYOND_T])?;
+    lemmas(d, ["modes-seven", "unique-thickness", "friction-slopes", "sliding-order"])?;
+    lemmas(d, ["friction-rotation", "map-T-inner", "map-T-shoulder"])?;
     let at = variables();
     falls_with_the_thickness(d)?;
     for weight in SelfWeight::ALL {
@@ -133,11 +115,7 @@ fn rows(d: &mut Derivation) -> Checked {
         "Where an inner joint slides and the shoulder turns, mu >= mu_T: h is at most h_T, below 1/2. [s,r,r] is before \
          T: no other half opening than alpha_T has both.",
     )?;
-    d.theorem(
-        "Map.modes_of_a_row",
-        "at one half-angle the modes follow each other as the friction grows, if an inner joint slides at a thrust of \
-         at most 1/2 where the shoulder turns, and no [s,r,r] is at this half-angle then",
-    )?;
+    d.theorems(["Map.modes_of_a_row"])?;
     d.conclude(
         "At each friction at which the arch stands one of the modes moves it at its least thickness: so each is on an \
          interval or not at all.",
@@ -145,7 +123,7 @@ fn rows(d: &mut Derivation) -> Checked {
 }
 
 fn frictions_beyond_t(d: &mut Derivation) -> Checked {
-    lemmas(d, [&ROTATION_MEETS_SLIDING, &FRICTION_OF_SMALL_THRUST])?;
+    lemmas(d, ["map-T", "friction-unbounded"])?;
     let alpha = Symbol::half_opening();
     let none = alpha.rad.int(0);
     let words = "the friction that the shoulder asks for without thrust: bounded, as alpha < pi";
@@ -158,8 +136,8 @@ fn frictions_beyond_t(d: &mut Derivation) -> Checked {
 
 fn overturning_sliding_beyond_l(d: &mut Derivation) -> Checked {
     d.assume("alpha_l <= alpha < pi, 0 < mu < inf, and the arch stands at a thickness up to 2");
-    lemmas(d, [&CONTACTS, &SEVEN_MODES, &STATES_IN_ORDER, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM])?;
-    lemmas(d, [&ONE_THICKNESS])?;
+    lemmas(d, ["modes-contacts", "modes-seven", "curve-order", "unique-work", "unique-thicker"])?;
+    lemmas(d, ["unique-thickness"])?;
     let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
     let condition = overturning::end_of_rotation(&ring);
     let words = "the condition behind (16) falls as eta grows";

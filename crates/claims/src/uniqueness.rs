@@ -6,11 +6,9 @@
 //! usual argument of the static theorem holds. It needs the symmetry: where a vertical force in the crown works
 //! too, no factor serves both. **Asymmetric mechanisms are not in question here.**
 
-use super::contacts::{CONTACTS, DISTANCES_RISE_AND_FALL, label, margin_at, row_at, slopes};
-use super::frictions::{SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
+use super::contacts::{label, margin_at, row_at, slopes};
 use super::letters::{ring, with};
-use super::modes::{SEVEN_MODES, pure_sliding_has_room};
-use super::overturning::A_FIXES_ALPHA;
+use super::modes::pure_sliding_has_room;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{statics, thrust};
@@ -18,22 +16,22 @@ use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 
 claims! {
-    Implicit("unique-mean", "Sec. 2, 4", symmetric_mean):
+    Ours("unique-mean", "Sec. 2, 4", symmetric_mean):
         "if the whole arch has an admissible state, asymmetric or not, it has a symmetric one: the mean of the state \
          and its mirror image";
-    Implicit("unique-work", "Sec. 4, 5", mechanism_bounds) as MECHANISM_BOUNDS:
+    Ours("unique-work", "Sec. 4, 5", mechanism_bounds):
         "no thrust and crown moment leave a positive margin at all joints that move in a symmetric mechanism without \
          dilatancy: all these margins are zero, or one is negative";
-    Implicit("unique-thicker", "Sec. 4, 5", thicker_has_room) as THICKER_HAS_ROOM:
+    Ours("unique-thicker", "Sec. 4, 5", thicker_has_room):
         "a positive thrust that is admissible at one thickness is so at each larger one up to 2, with a line of \
          thrust off both faces at every joint";
-    Implicit("unique-attained", "Sec. 2, 5", limit_stands) as LIMIT_STANDS:
+    Ours("unique-attained", "Sec. 2, 5", limit_stands):
         "at a friction 0 < mu < inf the limit of arches that stand stands: the least thickness of an arch and the \
          widest half opening of a thickness are attained";
-    Implicit("map-function", "Sec. 3, Fig. 5, 6", one_half_opening) as ONE_HALF_OPENING:
+    Implicit("map-function", "Sec. 3, Fig. 5, 6", one_half_opening):
         "to each thickness 0 < eta <= 2 and each friction 0 < mu < inf belongs one half opening: narrower arches \
          stand, wider ones fall, and there alone a symmetric mechanism exists";
-    AsPrinted("unique-thickness", "Sec. 5", one_thickness) as ONE_THICKNESS:
+    AsPrinted("unique-thickness", "Sec. 5", one_thickness):
         "above its least thickness an arch has no mechanism without dilatancy that is symmetric: among symmetric \
          motions the static and the kinematic thickness are one. The only exception is the friction of pure sliding, \
          where [s,s] moves at each thickness that stands. Nothing is said of asymmetric mechanisms, which may move \
@@ -67,7 +65,7 @@ fn symmetric_mean(d: &mut Derivation) -> Checked {
 }
 
 fn mechanism_bounds(d: &mut Derivation) -> Checked {
-    lemmas(d, [&SEVEN_MODES])?;
+    lemmas(d, ["modes-seven"])?;
     let (joint, h) = (Symbol::joint(), Symbol::Thrust.number());
     let p = Symbol::CrownMoment.number();
     for contact in Contact::ALL {
@@ -97,7 +95,7 @@ fn mechanism_bounds(d: &mut Derivation) -> Checked {
 
 fn thicker_has_room(d: &mut Derivation) -> Checked {
     d.assume("0 <= beta <= alpha, 0 < eta < 2, 0 <= delta_M <= 1, h > 0");
-    lemmas(d, [&DISTANCES_RISE_AND_FALL])?;
+    lemmas(d, ["map-distances"])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, eta, delta) = (Symbol::Thrust.number(), ring.thickness.clone(), Symbol::Flag.number());
     let two = h.int(2);
@@ -128,10 +126,7 @@ fn thicker_has_room(d: &mut Derivation) -> Checked {
     let words =
         "and that, times 1 + eta/2, is 2 (p + U) of the shoulder at eta and a positive number";
     d.identity(words, margin * ring.extrados() / &two, held + gain * alpha.versine())?;
-    d.theorem(
-        "Mechanisms.thicker_arch_has_room",
-        "an admissible thrust leaves room at both faces in every thicker arch up to eta = 2",
-    )?;
+    d.theorems(["Mechanisms.thicker_arch_has_room"])?;
     d.conclude(
         "So each lower bound of p, from the intrados of a joint, is below both upper bounds, from the extrados of crown \
          and shoulder, and U, which is least at these two, is positive at every joint. Friction does not see the \
@@ -141,33 +136,19 @@ fn thicker_has_room(d: &mut Derivation) -> Checked {
 
 fn one_thickness(d: &mut Derivation) -> Checked {
     d.assume("0 < mu < inf, 0 < eta <= 2");
-    lemmas(d, [&CONTACTS, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM, &LIMIT_STANDS])?;
-    lemmas(d, [&SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
-    d.theorem(
-        "Attained.least_thickness_is_attained",
-        "an arch that stands does so exactly from one thickness on, and every admissible state moves there",
-    )?;
-    d.theorem("Attained.only_sliding_above_the_least", "above the least thickness no hinge moves")?;
-    d.theorem(
-        "Modes.sliding_is_pure",
-        "where a joint slides inwards and the shoulder outwards the state is the purely sliding one of the half-angle",
-    )?;
-    d.theorem(
-        "Attained.sliding_does_not_see_the_thickness",
-        "where a joint slides inwards and the shoulder outwards all states have one thrust",
-    )?;
+    lemmas(d, ["modes-contacts", "unique-work", "unique-thicker", "unique-attained"])?;
+    lemmas(d, ["friction-slopes", "sliding-order"])?;
+    d.theorems(["Attained.least_thickness_is_attained", "Attained.only_sliding_above_the_least"])?;
+    d.theorems(["Modes.sliding_is_pure", "Attained.sliding_does_not_see_the_thickness"])?;
     pure_sliding_has_room(d, "the exception: ")?;
-    d.theorem(
-        "Room.thinner_arch_stands",
-        "an arch with a line of thrust off both faces stands with less thickness too",
-    )?;
+    d.theorems(["Room.thinner_arch_stands"])?;
     d.conclude("So thinner arches of half opening 1 stand at that friction, and yet [s,s] moves at thickness 1.")
 }
 
 /// Thrusts without bound leave room everywhere in their limit.
 fn limit_stands(d: &mut Derivation) -> Checked {
     d.assume("0 < mu < inf; the limit has 0 < alpha <= pi, 0 <= eta <= 2");
-    lemmas(d, [&A_FIXES_ALPHA, &DISTANCES_RISE_AND_FALL])?;
+    lemmas(d, ["alpha-one-to-one", "map-distances"])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, mu, eta) = (Symbol::Thrust.number(), Symbol::Friction.number(), &ring.thickness);
     let (crown, two) = (Angle::zero(&h), h.int(2));
@@ -199,14 +180,11 @@ fn limit_stands(d: &mut Derivation) -> Checked {
         + (joint.sin.clone() - slope);
     let words = "mu N - T: positive, as x cos(x) <= sin(x)";
     d.identity(words, margin_at(Contact::Inwards, &joint), &expected)?;
-    d.theorem(
-        "Attained.limit_of_arches_stands",
-        "the limit of arches that stand has a thickness and stands",
-    )
+    d.theorems(["Attained.limit_of_arches_stands"])
 }
 
 fn one_half_opening(d: &mut Derivation) -> Checked {
-    lemmas(d, [&LIMIT_STANDS, &CONTACTS, &SEVEN_MODES, &MECHANISM_BOUNDS])?;
+    lemmas(d, ["unique-attained", "modes-contacts", "modes-seven", "unique-work"])?;
     let h = Symbol::Thrust.number();
     let (crown, one) = (Angle::zero(&h), h.int(1));
     let eta = ring().thickness;
@@ -224,9 +202,5 @@ fn one_half_opening(d: &mut Derivation) -> Checked {
     }
     let flat = Angle { rad: Symbol::HalfOpening.number(), sin: h.int(0), cos: h.int(-1) };
     d.identity("N at pi", statics::normal_force(&flat, &h), -h)?;
-    d.theorem(
-        "Attained.one_half_angle",
-        "to each thickness and friction belongs one half-angle: narrower arches stand, wider ones do not, and there \
-         alone the states move",
-    )
+    d.theorems(["Attained.one_half_angle"])
 }

@@ -1,7 +1,6 @@
 //! The two self-weights compared at the landmarks.
 
 use super::along::{self, landmark};
-use super::curve::STATES_OF_ONE_THICKNESS;
 use super::landmarks::{both, certain_if};
 use super::{Checked, Derivation, Finding, Support, claims, lemmas};
 use crate::arch::{Configuration, SelfWeight, Unknown};
@@ -109,7 +108,7 @@ fn limits_compared(d: &mut Derivation) -> Checked {
 }
 
 fn widest_joints_compared(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STATES_OF_ONE_THICKNESS])?;
+    lemmas(d, ["curve-weights"])?;
     let joint = |weight| landmark(Landmark::WidestJoint, weight).map(|at| at.rotation_joint.rad);
     let [heyman, milankovitch] = both(joint)?;
     d.less("beta_sb is larger for Heyman's weight", [&milankovitch, &heyman])?;

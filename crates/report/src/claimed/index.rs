@@ -3,7 +3,7 @@
 
 use super::decided::as_printed;
 use super::text::lines;
-use crate::claims::{Claim, Decided, Decision, OURS, Sentence, claims, index};
+use crate::claims::{Claim, Decided, Decision, Sentence, claims, index};
 use crate::format::Content;
 use crate::record::Record;
 use crate::reported::Reported;
@@ -109,7 +109,7 @@ fn decided(sentence: &Sentence) -> &'static str {
 
 /// Claims that decide no sentence.
 fn ours() -> Vec<Claim> {
-    claims().into_iter().filter(|claim| OURS.contains(&claim.id)).collect()
+    claims().into_iter().filter(Claim::is_ours).collect()
 }
 
 impl Reported for Index {
@@ -123,8 +123,9 @@ impl Reported for Index {
         let place = all.iter().map(|sentence| sentence.place.chars().count()).max().unwrap_or(0);
         record.add_list("sentences", all.iter().map(|sentence| self.sentence(sentence, place)));
         record.say(self.summary(&all));
-        record.say_all(lines(&OURS.join(", "), "ours: ", "      "));
-        record.add("ours", OURS.to_vec());
+        let ours: Vec<_> = ours().iter().map(|claim| claim.id).collect();
+        record.say_all(lines(&ours.join(", "), "ours: ", "      "));
+        record.add("ours", ours);
         vec![record]
     }
 
@@ -136,8 +137,7 @@ impl Reported for Index {
             row.add("claims", ids.join("; "));
             row
         });
-        let ours = ours().into_iter().map(|claim| {
-            let Claim { id, place, statement, .. } = claim;
+        let ours = ours().into_iter().map(|Claim { id, place, statement, .. }| {
             let values = [place, statement, "ours", "proved", id].map(Into::into);
             Record::named("place says decided verdict claims", values)
         });
