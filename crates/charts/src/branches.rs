@@ -7,9 +7,8 @@ use super::look::{self, mark};
 use super::plane::PlaneAxis;
 use super::sheet::Sheet;
 use crate::arch::{SelfWeight, Unknown};
-use crate::atlas::{Coordinate, Curve, CurveEnd, Place, Trace, rotation_end, rotation_start};
+use crate::atlas::{Coordinate, Curve, CurveEnd, Place, rotation_end, rotation_start};
 use crate::certify::CertifiedLandmark;
-use crate::number::Ball;
 use crate::picture::color::INK;
 use crate::picture::{Name, Point, Print, Stroke};
 use crate::problem::Landmark;
@@ -43,32 +42,15 @@ const OPENING: PlaneAxis =
     PlaneAxis::new(Coordinate::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
 const VARIABLE: PlaneAxis =
     PlaneAxis::new(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.0, 2.0], 0.2);
-const THICKNESS: PlaneAxis = thickness_axis([0.0, 2.2], 0.5);
+const THICKNESS: PlaneAxis =
+    PlaneAxis::new(Coordinate::Thickness, "thickness η = t/r", [0.0, 2.2], 0.5);
 /// Axis where half arches overturn.
 const WIDE: PlaneAxis = PlaneAxis { range: [146.0, 162.0], step: 2.0, ..OPENING };
 const WIDE_VARIABLE: PlaneAxis = PlaneAxis { range: [0.4, 1.0], step: 0.1, ..VARIABLE };
-const THICK: PlaneAxis = thickness_axis([0.8, 2.2], 0.2);
+const THICK: PlaneAxis = PlaneAxis { range: [0.8, 2.2], step: 0.2, ..THICKNESS };
 /// About the ends of rotation.
 const NEAR: PlaneAxis = PlaneAxis { range: [143.0, 157.0], step: 2.0, ..OPENING };
-const NEAR_THICKNESS: PlaneAxis = thickness_axis([0.6, 1.4], 0.2);
-
-const fn thickness_axis(range: [f64; 2], step: f64) -> PlaneAxis {
-    PlaneAxis::new(Coordinate::Thickness, "thickness η = t/r", range, step)
-}
-
-fn number(ball: &Ball) -> f64 {
-    ball.mid().to_f64()
-}
-
-/// Place of a point on an axis, in the unit shown.
-fn on(axis: &PlaneAxis, place: &Place) -> Option<f64> {
-    let other = |ball: &Option<Ball>| Some(number(ball.as_ref()?) * axis.unit);
-    match axis.coordinate {
-        Coordinate::Thrust => other(&place.thrust),
-        Coordinate::RotationJoint => other(&place.rotation_joint),
-        _ => axis.place(place),
-    }
-}
+const NEAR_THICKNESS: PlaneAxis = PlaneAxis { range: [0.6, 1.4], step: 0.2, ..THICKNESS };
 
 impl Branches {
     /// The figure of both weights as SVG.
@@ -78,7 +60,10 @@ impl Branches {
                 "Purely rotational and purely sliding states over the half opening",
                 &[Curve::Rotation],
                 over_the_half_opening(sheets),
-                sliding_legend(sheets),
+                sliding_parts(sheets)
+                    .into_iter()
+                    .map(|(_, name, stroke, _)| (name, stroke))
+                    .collect(),
                 (2, (16.0, 138.0)),
             ),
             Self::Overturning => (
@@ -132,7 +117,7 @@ fn panel(
 fn over_the_half_opening(sheets: &[Sheet]) -> Vec<Graph> {
     let joint = PlaneAxis::new(Coordinate::RotationJoint, "joint βᵣ (°)", [0.0, 70.0], 10.0);
     let push = PlaneAxis::new(Coordinate::Thrust, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
-    let thickness = thickness_axis([0.0, 1.1], 0.2);
+    let thickness = PlaneAxis { range: [0.0, 1.1], step: 0.2, ..THICKNESS };
     let of = |[x, y]: [PlaneAxis; 2], course| {
         let mut graph = panel(sheets, [x, y], &[Curve::Rotation], (&ENDS[..2], course));
         match y.coordinate {
@@ -201,7 +186,7 @@ fn joined(sheets: &[Sheet]) -> Vec<Graph> {
 
 /// The tangent of a weight at the end of rotation: that with which overturning begins.
 fn tangent(sheet: &Sheet) -> Option<GraphLine> {
-    let chain = along(sheet.trace(Curve::Overturning)?, &[NEAR, NEAR_THICKNESS])?;
+    let chain = Chain::of_trace(sheet.trace(Curve::Overturning)?, &[NEAR, NEAR_THICKNESS])?;
     let [(x, y), (across, up), ..] = chain.0.first()?.corners;
     let slope = (up - y) / (across - x);
     let end = |far: f64| (x + far, y + far * slope);
@@ -223,13 +208,9 @@ fn look_of(weight: SelfWeight, curve: Curve) -> Stroke {
     }
 }
 
-fn along(trace: &Trace, axes: &[PlaneAxis; 2]) -> Option<Chain> {
-    Chain::of_pieces(trace.pieces(), &trace.points().first()?.place, axes)
-}
-
 fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
     let line = |sheet: &Sheet, curve: &Curve| {
-        let chain = along(sheet.trace(*curve)?, axes)?;
+        let chain = Chain::of_trace(sheet.trace(*curve)?, axes)?;
         let id = format!("{}-{curve}", sheet.weight.name());
         Some(GraphLine { id, chain, stroke: look_of(sheet.weight, *curve) })
     };
@@ -243,53 +224,51 @@ fn borders(sheets: &[Sheet]) -> Vec<(SelfWeight, Place)> {
         Some((sheet.weight, start.place))
     };
     let mut all: Vec<(SelfWeight, Place)> = sheets.iter().filter_map(of).collect();
-    all.sort_by(|(_, a), (_, b)| on(&OPENING, a).partial_cmp(&on(&OPENING, b)).unwrap_or(Equal));
+    all.sort_by(|(_, a), (_, b)| OPENING.place(a).partial_cmp(&OPENING.place(b)).unwrap_or(Equal));
     all
 }
 
 /// `B` of each weight on the line of purely sliding states.
 fn border_marks(sheets: &[Sheet], push: &PlaneAxis) -> Vec<Name> {
     let mark = |(weight, place): (SelfWeight, Place)| {
-        let at = (on(&OPENING, &place)?, on(push, &place)?);
+        let at = (OPENING.place(&place)?, push.place(&place)?);
         Some(named(Landmark::Border, weight, at, RISES, sheets.len() > 1))
     };
     borders(sheets).into_iter().filter_map(mark).collect()
 }
 
-/// Legend of purely sliding states, by parts.
-fn sliding_legend(sheets: &[Sheet]) -> Vec<(String, Stroke)> {
-    let entry = |name: &str, stroke| (name.to_owned(), stroke);
-    let mut all = vec![entry("pure sliding", SLIDING)];
-    match borders(sheets)[..] {
-        [(one, _), (other, _)] => all.extend([
-            entry(&format!("beyond B{}", mark(one)), BETWEEN),
-            entry(&format!("beyond B{} too", mark(other)), BEYOND),
-        ]),
-        _ => all.push(entry("beyond B", BEYOND)),
-    }
-    all
+/// Parts of purely sliding states, as far as the border points of the weights and beyond each: the group and the name
+/// of each, and where it ends.
+fn sliding_parts(sheets: &[Sheet]) -> Vec<(&'static str, String, Stroke, Option<f64>)> {
+    let borders = borders(sheets);
+    let parts = match borders[..] {
+        [(one, _), (other, _)] => vec![
+            ("sliding-between", format!("beyond B{}", mark(one)), BETWEEN),
+            ("sliding-beyond", format!("beyond B{} too", mark(other)), BEYOND),
+        ],
+        _ => vec![("sliding-beyond", "beyond B".to_owned(), BEYOND)],
+    };
+    let parts = [("sliding", "pure sliding".to_owned(), SLIDING)].into_iter().chain(parts);
+    let ends = borders.iter().map(|(_, place)| OPENING.place(place)).chain(std::iter::repeat(None));
+    parts.zip(ends).map(|((id, name, stroke), end)| (id, name, stroke, end)).collect()
 }
 
-/// The thrust of purely sliding states: as far as the border points of the weights, and beyond each.
+/// The thrust of purely sliding states, by parts.
 fn sliding(sheets: &[Sheet], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
     let trace = sheets.first().and_then(|sheet| sheet.trace(Curve::Sliding));
-    let Some(mut rest) = trace.and_then(|trace| along(trace, axes)) else { return Vec::new() };
-    let borders: Vec<f64> =
-        borders(sheets).iter().filter_map(|(_, place)| on(&OPENING, place)).collect();
-    let strokes: &[(&str, Stroke)] = match borders.len() {
-        2 => &[("sliding", SLIDING), ("sliding-between", BETWEEN), ("sliding-beyond", BEYOND)],
-        _ => &[("sliding", SLIDING), ("sliding-beyond", BEYOND)],
+    let Some(mut rest) = trace.and_then(|trace| Chain::of_trace(trace, axes)) else {
+        return Vec::new();
     };
-    let mut lines = Vec::new();
-    for (k, (id, stroke)) in strokes.iter().enumerate() {
-        let [before, after] = match borders.get(k) {
-            Some(border) => rest.split(*border),
-            None => [rest, Chain::default()],
+    let line = |(id, _, stroke, end): (&str, _, _, Option<f64>)| {
+        let whole = std::mem::take(&mut rest);
+        let [chain, after] = match end {
+            Some(end) => whole.split(end),
+            None => [whole, Chain::default()],
         };
-        lines.push(GraphLine { id: (*id).into(), chain: before, stroke: *stroke });
         rest = after;
-    }
-    lines
+        GraphLine { id: id.into(), chain, stroke }
+    };
+    sliding_parts(sheets).into_iter().map(line).collect()
 }
 
 /// Curves that end at T, and at the ends of rotation and overturning.
@@ -301,7 +280,7 @@ fn marks(sheets: &[Sheet], curves: &[Curve], [x, y]: &[PlaneAxis; 2], course: Co
     let mark = |sheet: &Sheet, curve: Curve| {
         let point = sheet.trace(curve)?.points().pop()?;
         let Some(CurveEnd::Landmark(landmark)) = point.end else { return None };
-        let at = (on(x, &point.place)?, on(y, &point.place)?);
+        let at = (x.place(&point.place)?, y.place(&point.place)?);
         Some(named(landmark, sheet.weight, at, course, sheets.len() > 1))
     };
     sheets.iter().flat_map(|sheet| curves.iter().filter_map(move |c| mark(sheet, *c))).collect()
@@ -312,7 +291,7 @@ fn widest(sheets: &[Sheet]) -> Vec<Name> {
     let mark = |sheet: &Sheet| {
         let landmark = Landmark::WidestJoint;
         let refined = CertifiedLandmark::new(landmark, sheet.weight).ok()?.enclosure(64).ok()?;
-        let degrees = |unknown| Some(number(&refined.value(unknown)?).to_degrees());
+        let degrees = |unknown| Some(refined.value(unknown)?.mid().to_f64().to_degrees());
         let at = (degrees(Unknown::HalfOpening)?, degrees(Unknown::RotationJoint)?);
         let mark = named(landmark, sheet.weight, at, FALLS, sheets.len() > 1);
         // The two are next to each other on top.
@@ -354,6 +333,7 @@ fn named(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::atlas::Trace;
 
     /// The tangent with which overturning begins is the one with which rotation ends, over A and over the half opening.
     #[test]
@@ -363,7 +343,7 @@ mod tests {
                 .map(|of| Trace::new(of, weight, 1e-5).unwrap());
             for x in [OPENING, VARIABLE] {
                 let [rotation, overturning] =
-                    traces.each_ref().map(|trace| along(trace, &[x, THICKNESS]).unwrap());
+                    traces.each_ref().map(|trace| Chain::of_trace(trace, &[x, THICKNESS]).unwrap());
                 let slope = |(x, y): Point, (u, v): Point| (v - y) / (u - x);
                 let [.., before, end] = rotation.0.last().unwrap().corners;
                 let [start, after, ..] = overturning.0.first().unwrap().corners;

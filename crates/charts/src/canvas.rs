@@ -147,34 +147,27 @@ impl Shown {
 
     fn of(self, axis: PlaneAxis) -> PlaneAxis {
         use Coordinate as C;
-        let (coordinate, unit, label, usual): (_, _, _, [f64; 2]) =
-            match (self.unit, axis.coordinate) {
-                (Unit::Usual, _) => (axis.coordinate, axis.unit, axis.label, axis.range),
-                (Unit::Radians, coordinate) => {
-                    let label = match coordinate {
-                        C::HalfOpening => "half opening α (rad)",
-                        _ => "friction angle φ (rad)",
-                    };
-                    (coordinate, 1.0, label, axis.range.map(|end| end / DEGREES))
-                }
-                (Unit::Derived, C::HalfOpening) => {
-                    (C::OpeningVariable, 1.0, "A = α cot(α/2)", [0.4, 2.0])
-                }
-                (Unit::Derived, C::FrictionAngle) => {
-                    (C::Friction, 1.0, "friction coefficient μ", [0.0, 4.0])
-                }
-                (Unit::Derived, _) => {
-                    (C::LogThickness, 1.0, "thickness to radius η = t/r", [THIN, 2.0])
-                }
-            };
         if self == Self::default() {
             return axis;
         }
-        let range = self.range.unwrap_or(usual);
-        let is_logarithm = coordinate == C::LogThickness;
+        let other = |of, label, range| PlaneAxis::new(of, label, range, axis.step);
+        let usual = match (self.unit, axis.coordinate) {
+            (Unit::Usual, _) => axis,
+            (Unit::Radians, coordinate) => {
+                let label = match coordinate {
+                    C::HalfOpening => "half opening α (rad)",
+                    _ => "friction angle φ (rad)",
+                };
+                PlaneAxis { unit: 1.0, label, range: axis.range.map(|end| end / DEGREES), ..axis }
+            }
+            (_, C::HalfOpening) => other(C::OpeningVariable, "A = α cot(α/2)", [0.4, 2.0]),
+            (_, C::FrictionAngle) => other(C::Friction, "friction coefficient μ", [0.0, 4.0]),
+            _ => other(C::LogThickness, "thickness to radius η = t/r", [THIN, 2.0]),
+        };
+        let range = self.range.unwrap_or(usual.range);
+        let is_logarithm = usual.coordinate == C::LogThickness;
         let range = if is_logarithm { range.map(f64::log10) } else { range };
-        let step = step(range, 5.0).unwrap_or(axis.step);
-        PlaneAxis { coordinate, unit, label, range, step }
+        PlaneAxis { range, step: step(range, 5.0).unwrap_or(axis.step), ..usual }
     }
 }
 

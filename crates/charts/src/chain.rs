@@ -1,6 +1,5 @@
 //! A proved curve as Bézier arcs in a plane.
 
-use super::canvas::Canvas;
 use super::look;
 use super::plane::{DEGREES, PlaneAxis};
 use crate::atlas::{Level, Piece, Place, Section, Trace, arc, over_joint};
@@ -29,10 +28,9 @@ const PARTS: u32 = 8;
 const DEPTH: u32 = 10;
 
 impl Chain {
-    /// A curve on a canvas; `None` if it has no place there.
-    pub(super) fn new(trace: &Trace, canvas: &Canvas) -> Option<Self> {
-        let start = trace.points().swap_remove(0).place;
-        Self::of_pieces(trace.pieces(), &start, &canvas.axes)
+    /// A curve along two axes; `None` if it has no place there.
+    pub(super) fn of_trace(trace: &Trace, axes: &[PlaneAxis; 2]) -> Option<Self> {
+        Self::of_pieces(trace.pieces(), &trace.points().first()?.place, axes)
     }
 
     /// A level along two axes, to unlimited friction or to the physical limit.
@@ -275,26 +273,20 @@ fn along(
         by_length,
     };
     let coordinate = axis.coordinate;
-    let itself = coordinate.variable().filter(|_| coordinate.is_variable());
-    if let Some(variable) = itself {
-        return Some(match piece.cubic(variable) {
-            Some([values, slopes]) => {
-                let whole = piece.range();
-                let [start, end] = [from, to].map(|s| hermite(whole, values, slopes, s));
-                let off = piece.width().unwrap_or(0.0);
-                along([start.0, end.0], [start.1, end.1], off, 0.0)
-            }
-            None => Along { handles: [still?; 4], off: 0.0, by_length: 0.0 },
-        });
-    }
-    match coordinate.variable().filter(|variable| piece.cubic(*variable).is_none()) {
-        Some(_) => Some(Along { handles: [still?; 4], off: 0.0, by_length: 0.0 }),
-        None if !piece.is_proved() => None,
-        None => Some(match arc(piece, coordinate, [from, to]) {
+    Some(match coordinate.variable().map(|variable| piece.cubic(variable)) {
+        Some(None) => Along { handles: [still?; 4], off: 0.0, by_length: 0.0 },
+        Some(Some([values, slopes])) if coordinate.is_variable() => {
+            let whole = piece.range();
+            let [start, end] = [from, to].map(|s| hermite(whole, values, slopes, s));
+            let off = piece.width().unwrap_or(0.0);
+            along([start.0, end.0], [start.1, end.1], off, 0.0)
+        }
+        _ if !piece.is_proved() => return None,
+        _ => match arc(piece, coordinate, [from, to]) {
             Some(found) => along(found.values, found.slopes, found.off, found.by_length),
             None => Along { handles: [0.0; 4], off: f64::INFINITY, by_length: f64::INFINITY },
-        }),
-    }
+        },
+    })
 }
 
 /// Hermite's cubic between two parameters at one of them or between, with its slope.
@@ -337,7 +329,7 @@ mod tests {
     fn arcs_lie_in_the_tubes() {
         let curve = Curve::Line(Line::RotationShoulder);
         let trace = Trace::new(curve, SelfWeight::Heyman, 1e-6).unwrap();
-        let chain = Chain::new(&trace, &Canvas::usual(Plane::ThicknessFriction)).unwrap();
+        let chain = Chain::of_trace(&trace, &Plane::ThicknessFriction.axes()).unwrap();
         let mut seen = 0;
         for (piece, arc) in trace.pieces().zip(&chain.0) {
             for share in [0.0, 0.125, 0.5, 0.75] {
@@ -356,10 +348,10 @@ mod tests {
     #[test]
     fn a_curve_without_a_place_has_no_arcs() {
         let rotation = Trace::new(Curve::Rotation, SelfWeight::Heyman, 1e-2).unwrap();
-        assert!(Chain::new(&rotation, &Canvas::usual(Plane::ThicknessFriction)).is_none());
-        assert!(Chain::new(&rotation, &Canvas::usual(Plane::OpeningThickness)).is_some());
+        assert!(Chain::of_trace(&rotation, &Plane::ThicknessFriction.axes()).is_none());
+        assert!(Chain::of_trace(&rotation, &Plane::OpeningThickness.axes()).is_some());
         let overturning = Trace::new(Curve::Overturning, SelfWeight::Heyman, 1e-2).unwrap();
-        let chain = Chain::new(&overturning, &Canvas::usual(Plane::ThicknessFriction)).unwrap();
+        let chain = Chain::of_trace(&overturning, &Plane::ThicknessFriction.axes()).unwrap();
         assert!(chain.points().iter().all(|p| p.0 == 90.0), "unlimited friction");
     }
 

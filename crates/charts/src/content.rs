@@ -34,9 +34,9 @@ pub(super) fn lines() -> impl Iterator<Item = Curve> {
     Curve::ALL.into_iter().filter(is_line)
 }
 
-/// The name of the group of a domain.
+/// The name of the group of a domain: `domain-rrs`.
 pub(super) fn domain_id(mode: Mode) -> String {
-    format!("domain-{}", look::code(mode))
+    "domain-".chars().chain(mode.label().chars().filter(char::is_ascii_alphabetic)).collect()
 }
 
 /// The name of the group of a level.

@@ -14,12 +14,8 @@ use crate::report::words;
 use std::io;
 
 /// The difference, from below all of them to above, and where most of them are.
-const ALL: PlaneAxis = axis([-0.2, 1.0], 0.2);
-const NEAR: PlaneAxis = axis([-0.08, 0.08], 0.02);
-
-const fn axis(range: [f64; 2], step: f64) -> PlaneAxis {
-    PlaneAxis::new(Coordinate::Thickness, "ηₘ − ηₕ", range, step)
-}
+const ALL: PlaneAxis = PlaneAxis::new(Coordinate::Thickness, "ηₘ − ηₕ", [-0.2, 1.0], 0.2);
+const NEAR: PlaneAxis = PlaneAxis { range: [-0.08, 0.08], step: 0.02, ..ALL };
 
 /// Look of a curve: by dashes too, so that grey is enough.
 fn look(divide: Divide) -> Stroke {

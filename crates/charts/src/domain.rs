@@ -98,7 +98,7 @@ mod tests {
             for plane in Plane::ALL {
                 for mode in Mode::ALL.into_iter().filter(|mode| is_area(*mode, plane)) {
                     let canvas = Canvas::usual(plane);
-                    let chain = |curve| Chain::new(&traces[&curve], &canvas);
+                    let chain = |curve| Chain::of_trace(&traces[&curve], &canvas.axes);
                     let parts = parts(mode, &canvas, chain).unwrap();
                     let all: Vec<[Point; 2]> =
                         parts.iter().map(|part| part.ends().unwrap()).collect();

@@ -48,11 +48,6 @@ impl View {
             _ => return None,
         })
     }
-
-    /// Tells whether the view shows one weight.
-    pub fn is_of_one_weight(self) -> bool {
-        matches!(self, Self::Map(_))
-    }
 }
 
 impl Drawing {

@@ -12,10 +12,10 @@ use super::plane::Plane;
 use super::sheet::Sheet;
 use super::spot::away;
 use crate::arch::SelfWeight;
-use crate::picture::{Frame, Point, Svg};
+use crate::picture::{Frame, Svg};
 use crate::problem::Mode;
-use crate::report::words;
-use serde::Serialize;
+use crate::report::{Record, words};
+use serde_json::json;
 
 /// The map of one weight in one plane.
 pub(crate) struct FramedMap {
@@ -25,34 +25,10 @@ pub(crate) struct FramedMap {
     pub plane: Plane,
     /// Domains and lines as SVG, in a frame as large as the picture.
     pub svg: String,
-    /// Data of the things around them.
-    pub around: Surroundings,
+    /// Data of the things around them that a page has to place, all points and lengths in the units of the axes.
+    pub around: Record,
     /// Caption: what is shown and how near that is to the truth, and the marks, each a paragraph.
     pub caption: Vec<String>,
-}
-
-/// Data of the things that a page has to place, all points and lengths in the units of the axes.
-#[derive(Serialize)]
-pub(crate) struct Surroundings {
-    /// Labels of the axes, to the right and up.
-    labels: [&'static str; 2],
-    /// Ranges of the axes.
-    ranges: [[f64; 2]; 2],
-    /// Distance that a line may have from the truth along each axis.
-    off: [f64; 2],
-    /// Names of landmarks, with their places and the directions of the names in sizes of the font.
-    landmarks: Vec<(&'static str, Point, Point)>,
-    /// Parts that are shown larger.
-    insets: Vec<[[f64; 2]; 2]>,
-    /// Domains by the names of their groups.
-    domains: Vec<(String, &'static str)>,
-    /// Levels by the names of their groups.
-    levels: Vec<(String, String)>,
-    /// Label of the levels.
-    levels_label: &'static str,
-    /// Arches that are marked, with the ends of the strokes to the thicknesses that are given; or, where it says so,
-    /// the corners of a box.
-    marks: Vec<(Point, Option<Point>, bool)>,
 }
 
 impl FramedMap {
@@ -69,25 +45,25 @@ impl FramedMap {
         words.extend(mark::words(marks, &canvas));
         let mut svg = Svg::new(SIZE, plane.shows(), "");
         content.draw(&mut svg, &frame, "");
-        let around = Surroundings {
-            labels: [x.label, y.label],
-            ranges: [x.range, y.range],
-            off: off.map(|(axis, off)| off * axis.unit),
-            landmarks: content
-                .landmarks
-                .iter()
-                .map(|(of, at)| (words::symbol(*of), *at, away(*of, plane)))
-                .collect(),
-            insets: inset::enlarged(&content),
-            domains: Mode::ALL.map(|mode| (domain_id(mode), mode.label())).to_vec(),
-            levels: content
-                .levels
-                .iter()
-                .map(|(of, _)| (level_id(of), margin::shown(of, false)))
-                .collect(),
-            levels_label: plane.contour_label(),
-            marks: mark::ends(marks, &canvas),
-        };
+        let landmarks = content.landmarks.iter();
+        let landmarks = landmarks.map(|(of, at)| json!([words::symbol(*of), at, away(*of, plane)]));
+        let levels = content.levels.iter();
+        let levels = levels.map(|(of, _)| json!([level_id(of), margin::shown(of, false)]));
+        let domains = Mode::ALL.map(|mode| json!([domain_id(mode), mode.label()]));
+        let mut around = Record::default();
+        around.add("labels", json!([x.label, y.label]));
+        around.add("ranges", json!([x.range, y.range]));
+        // Distance that a line may have from the truth along each axis.
+        around.add("off", json!(off.map(|(axis, off)| off * axis.unit)));
+        // Their places, and the directions of their names in sizes of the font.
+        around.add("landmarks", landmarks.collect::<Vec<_>>());
+        let larger = inset::parts(&content).into_iter().map(|(_, part)| json!(part));
+        around.add("insets", larger.collect::<Vec<_>>());
+        // By the names of their groups.
+        around.add("domains", domains.to_vec());
+        around.add("levels", levels.collect::<Vec<_>>());
+        around.add("levels_label", plane.contour_label());
+        around.add("marks", json!(mark::ends(marks, &canvas)));
         Self { weight: sheet.weight, plane, svg: svg.finish(), around, caption: words }
     }
 }

@@ -163,15 +163,10 @@ impl Inset {
 }
 
 /// A part of the map that is shown larger: the name of its inset, and what is along the axes.
-type EnlargedPart = (&'static str, [[f64; 2]; 2]);
-
-/// Parts that are shown larger, where the axes are as usual.
-pub(super) fn enlarged(content: &PlaneContent) -> Vec<[[f64; 2]; 2]> {
-    parts(content).into_iter().map(|(_, part)| part).collect()
-}
+pub(super) type EnlargedPart = (&'static str, [[f64; 2]; 2]);
 
 /// The parts that are shown larger, within the map.
-fn parts(content: &PlaneContent) -> Vec<EnlargedPart> {
+pub(super) fn parts(content: &PlaneContent) -> Vec<EnlargedPart> {
     use Landmark as L;
     let canvas = &content.canvas;
     let [Some(s), Some(t), Some(j), Some(l)] =

@@ -64,11 +64,6 @@ pub(super) fn mark(weight: SelfWeight) -> char {
     }
 }
 
-/// A mode in the name of a group: `rrs`.
-pub(super) fn code(mode: Mode) -> String {
-    mode.label().chars().filter(|c| c.is_ascii_alphabetic()).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

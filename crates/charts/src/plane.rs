@@ -1,7 +1,7 @@
 //! Quantities along the axes.
 
 use crate::atlas::{Contour, Coordinate, Place};
-use crate::number::worded;
+use crate::number::{Ball, worded};
 use crate::picture::scale::Tick;
 use crate::picture::text;
 use std::str::FromStr;
@@ -171,7 +171,12 @@ impl PlaneAxis {
 
     /// Place of a point on the axis, in the unit shown.
     pub(super) fn place(&self, place: &Place) -> Option<f64> {
-        Some(self.shown(place.coordinate(self.coordinate.variable()?)?.mid().to_f64()))
+        let other = |value: &Option<Ball>| Some(value.as_ref()?.mid().to_f64() * self.unit);
+        match self.coordinate {
+            Coordinate::Thrust => other(&place.thrust),
+            Coordinate::RotationJoint => other(&place.rotation_joint),
+            of => Some(self.shown(place.coordinate(of.variable()?)?.mid().to_f64())),
+        }
     }
 
     /// Ticks of the axis within a range.

@@ -52,7 +52,7 @@ impl<'a> Sheet<'a> {
 
     /// A curve on a canvas.
     pub(super) fn chain(&self, curve: Curve, canvas: &Canvas) -> Option<Chain> {
-        Chain::new(self.trace(curve)?, canvas)
+        Chain::of_trace(self.trace(curve)?, &canvas.axes)
     }
 
     /// The landmarks that have a place on a canvas.

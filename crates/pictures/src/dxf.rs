@@ -113,8 +113,11 @@ fn mechanism(dxf: &mut DxfFile, blocks: &Blocks, [inner, outer]: [f64; 2], sides
     }
 }
 
-/// The heading of a panel, above `out`, and the names of its joints by their angles, beyond their radii.
-fn texts(dxf: &mut DxfFile, headings: &[String], names: &[(f64, f64, String)], out: f64) {
+/// The angle of a joint, rad, the radius beyond which its name stands, and the name.
+type JointName = (f64, f64, String);
+
+/// The heading of a panel, above `out`, and the names of its joints.
+fn texts(dxf: &mut DxfFile, headings: &[String], names: &[JointName], out: f64) {
     let lines = headings.iter().rev().filter(|words| !words.is_empty());
     for (line, words) in lines.enumerate() {
         let at = [0.0, out + (2.5 + 1.6 * line as f64) * LETTERS];
@@ -252,18 +255,15 @@ pub(crate) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> 
     out.write_all(dxf.finish().as_bytes())
 }
 
-/// A whole arch whose halves differ, with headings and the names of its joints.
-pub(crate) struct WholePanel {
-    pub(crate) view: WholeView,
-    pub(crate) headings: Vec<String>,
-    pub(crate) names: Vec<(f64, f64, String)>,
-}
-
-/// Whole arches beside each other, with a unit of `r` in that of the file.
-pub(crate) fn whole(unit: (Option<LengthUnit>, f64), panels: &[WholePanel]) -> String {
+/// Whole arches whose halves differ, beside each other, each with headings and the names of its joints, with a unit of
+/// `r` in that of the file.
+pub(crate) fn whole<'a>(
+    unit: (Option<LengthUnit>, f64),
+    panels: impl Iterator<Item = (&'a WholeView, [String; 3], Vec<JointName>)>,
+) -> String {
     let mut dxf = DxfFile::new(unit, &LAYERS, &[]);
     dxf.draw();
-    for WholePanel { view, headings, names } in panels {
+    for (view, headings, names) in panels {
         let Hull { left, right, high, .. } = view.hull();
         let (alpha, radii) = (view.half_opening, view.radii);
         ring(&mut dxf, [-alpha, alpha], radii, &view.stones);
@@ -275,7 +275,7 @@ pub(crate) fn whole(unit: (Option<LengthUnit>, f64), panels: &[WholePanel]) -> S
         if let Some(blocks) = &view.blocks {
             mechanism(&mut dxf, blocks, radii, &[1.0]);
         }
-        texts(&mut dxf, headings, names, high);
+        texts(&mut dxf, &headings, &names, high);
         dxf.x += 2.0 * right.max(-left) + BETWEEN;
     }
     dxf.finish()

@@ -9,7 +9,6 @@ use crate::atlas::{Block, Collapse, Forces, Sketch, SketchedLine, Subject, moved
 use crate::number::{Ball, Drawable};
 use crate::problem::Mode;
 use crate::report::Record;
-use crate::sketch::polar;
 use rug::float::Round;
 use serde_json::{Value as Json, json};
 
@@ -134,9 +133,7 @@ fn twist(twist: &Twist<Ball>) -> Json {
 /// A block where it has moved to.
 pub(crate) fn placed(block: &Block, radii: [f64; 2], unit: f64) -> Json {
     let [cos, sin] = block.motion.turn;
-    let corner = |joint, radius| block.motion.to(&polar(joint, radius)).map(|x| x * unit);
-    let joints = block.between.into_iter();
-    let corners = joints.flat_map(|joint| radii.map(|radius| corner(joint, radius)));
+    let corners = block.corners(radii).map(|at| block.motion.to(&at).map(|x| x * unit));
     json!({
         "between": block.between,
         "rotation": sin.atan2(cos),

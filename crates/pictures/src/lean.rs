@@ -68,15 +68,23 @@ pub(crate) fn write_lean(records: &[Record], out: &mut dyn io::Write) -> io::Res
     }
 }
 
-#[test]
-fn lists_are_on_one_line() {
-    let value = serde_json::json!({ "a": [[1, 2.5], [3, 4]], "b": [{ "c": null }, {}], "d": {} });
-    let mut text = Vec::new();
-    write(&value, &mut text).unwrap();
-    let text = String::from_utf8(text).unwrap();
-    assert!(
-        text.starts_with("{\n  \"a\": [[1, 2.5], [3, 4]],\n  \"b\": [{\n    \"c\": null\n  }, {"),
-        "{text}"
-    );
-    assert_eq!(serde_json::from_str::<serde_json::Value>(&text).unwrap(), value);
+#[cfg(test)]
+mod tests {
+    use super::write;
+
+    #[test]
+    fn lists_are_on_one_line() {
+        let value =
+            serde_json::json!({ "a": [[1, 2.5], [3, 4]], "b": [{ "c": null }, {}], "d": {} });
+        let mut text = Vec::new();
+        write(&value, &mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        assert!(
+            text.starts_with(
+                "{\n  \"a\": [[1, 2.5], [3, 4]],\n  \"b\": [{\n    \"c\": null\n  }, {"
+            ),
+            "{text}"
+        );
+        assert_eq!(serde_json::from_str::<serde_json::Value>(&text).unwrap(), value);
+    }
 }

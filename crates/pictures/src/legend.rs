@@ -38,52 +38,41 @@ fn width(name: &str) -> f64 {
 impl Legend {
     pub(super) fn new(drawn: &Sketched, limit: f64) -> Self {
         let forces = || drawn.sketches.iter().flat_map(|sketch| &sketch.forces);
-        let is_standing = drawn.sketches.iter().any(Sketch::stands);
-        let mut entries: Vec<(LegendSample, &'static str)> = match (is_standing, forces().count()) {
-            (_, 0) => Vec::new(),
-            _ if !forces().flat_map(|of| &of.thrust_lines).any(|line| line.points.len() > 1) => {
-                vec![(Line(look::FRICTION), "line of friction")]
-            }
-            (true, 1) => vec![
-                (Line(look::THRUST), "line of thrust, least thrust"),
-                (Line(look::FRICTION), "line of friction"),
-            ],
-            (true, _) => vec![
-                (Line(look::THRUST), "line of thrust, least thrust"),
-                (Line(look::LARGEST), "line of thrust, largest thrust"),
-                (Band, "between them"),
-                (Line(look::FRICTION), "line of friction, least thrust"),
-                (Line(look::LARGEST_FRICTION), "line of friction, largest thrust"),
-            ],
-            _ if forces().any(|forces| forces.thrust_lines.len() > 1) => vec![
-                (Line(look::EXTREME), "extreme lines of thrust"),
-                (Band, "all others"),
-                (Line(look::FRICTION), "line of friction"),
-            ],
-            _ => vec![
-                (Line(look::THRUST), "line of thrust"),
-                (Line(look::FRICTION), "line of friction"),
-            ],
-        };
+        let thrust_lines = || forces().flat_map(|of| &of.thrust_lines);
         let is_outside = |line: &SketchedLine| line.outside().next().is_some();
-        if forces().flat_map(|forces| &forces.thrust_lines).any(is_outside) {
-            entries.push((Line(look::OUTSIDE), "outside the arch"));
-        }
-        if forces().map(|forces| &forces.friction_line).any(is_outside) {
-            entries.push((Line(look::PASSED), "friction passed"));
-        }
-        let marks = || forces().flat_map(|forces| &forces.marks);
-        if marks().any(|mark| mark.contact.is_hinge()) {
-            entries.push((Hinge, if is_standing { "touches a face" } else { "hinge" }));
-        }
-        if marks().any(|mark| !mark.contact.is_hinge()) {
-            let name = if is_standing { "friction used up" } else { "joint that slides" };
-            entries.push((Sliding, name));
-        }
-        if drawn.sketches.iter().any(|sketch| !sketch.collapses.is_empty()) {
-            entries.push((Fallen, "as it falls"));
-        }
-        Self::of(entries, limit)
+        let marked = |hinge: bool| {
+            forces().flat_map(|of| &of.marks).any(|mark| mark.contact.is_hinge() == hinge)
+        };
+        let is_standing = drawn.sketches.iter().any(Sketch::stands);
+        let is_there = thrust_lines().any(|line| line.points.len() > 1);
+        let (least, several) =
+            (is_standing && is_there, forces().any(|of| of.thrust_lines.len() > 1));
+        let (both, extreme) = (least && forces().count() > 1, is_there && !is_standing && several);
+        let [touched, used_up] = match is_standing {
+            true => ["touches a face", "friction used up"],
+            false => ["hinge", "joint that slides"],
+        };
+        let all = [
+            (least, Line(look::THRUST), "line of thrust, least thrust"),
+            (both, Line(look::LARGEST), "line of thrust, largest thrust"),
+            (both, Band, "between them"),
+            (extreme, Line(look::EXTREME), "extreme lines of thrust"),
+            (extreme, Band, "all others"),
+            (is_there && !least && !extreme, Line(look::THRUST), "line of thrust"),
+            (both, Line(look::FRICTION), "line of friction, least thrust"),
+            (both, Line(look::LARGEST_FRICTION), "line of friction, largest thrust"),
+            (forces().next().is_some() && !both, Line(look::FRICTION), "line of friction"),
+            (thrust_lines().any(is_outside), Line(look::OUTSIDE), "outside the arch"),
+            (
+                forces().any(|of| is_outside(&of.friction_line)),
+                Line(look::PASSED),
+                "friction passed",
+            ),
+            (marked(true), Hinge, touched),
+            (marked(false), Sliding, used_up),
+            (drawn.sketches.iter().any(|of| !of.collapses.is_empty()), Fallen, "as it falls"),
+        ];
+        Self::of_those(all, limit)
     }
 
     /// A legend of those entries that are there.
@@ -91,23 +80,17 @@ impl Legend {
         all: [(bool, LegendSample, &'static str); N],
         limit: f64,
     ) -> Self {
-        let there = all.into_iter().filter(|(is, ..)| *is);
-        Self::of(there.map(|(_, sample, name)| (sample, name)).collect(), limit)
-    }
-
-    /// A legend of entries.
-    fn of(entries: Vec<(LegendSample, &'static str)>, limit: f64) -> Self {
         let mut rows: Vec<Vec<(LegendSample, &'static str)>> = Vec::new();
         let mut room = 0.0;
-        for entry in entries {
-            let wide = width(entry.1) + BETWEEN;
+        for (_, sample, name) in all.into_iter().filter(|(is_there, ..)| *is_there) {
+            let wide = width(name) + BETWEEN;
             if room < wide {
                 rows.push(Vec::new());
                 room = limit + BETWEEN;
             }
             room -= wide;
             if let Some(row) = rows.last_mut() {
-                row.push(entry);
+                row.push((sample, name));
             }
         }
         Self { rows }

@@ -104,17 +104,10 @@ impl Strip {
                 svg.stroke(&outline, look::FALLEN_EDGE);
             }
             svg.stroke(&frame, look::OUTLINE);
-            let is_standing = panel.sketch.stands();
-            for (place, forces) in panel.sketch.forces.iter().enumerate() {
-                let is_second = is_standing && place > 0;
-                let friction = if is_second { look::LARGEST_FRICTION } else { look::FRICTION };
-                svg.stroke(&along(&forces.friction_line), friction);
-                let thrust = match forces.thrust_lines.len() {
-                    1 if is_second => look::LARGEST,
-                    1 => look::THRUST,
-                    _ => look::EXTREME,
-                };
-                forces.thrust_lines.iter().for_each(|line| svg.stroke(&along(line), thrust));
+            for (place, of) in panel.view.lines.iter().enumerate() {
+                let [thrust, friction] = look::of_lines(place, of.thrust.len());
+                svg.stroke(&along(of.friction), friction);
+                of.thrust.iter().for_each(|line| svg.stroke(&along(line), thrust));
             }
             for (contact, joint) in panel.view.marks.iter().copied() {
                 let sides = if joint > 0.0 { sides } else { &[1.0] };

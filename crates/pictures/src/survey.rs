@@ -9,7 +9,7 @@ use crate::atlas::BandedArch;
 use crate::picture::color::INK;
 use crate::picture::{Anchor, Color, Page, Path, Point, Print, Stroke, Svg, Type};
 use crate::report::{Content, Format, MEANING, Record, Reported, SurveyedArches, words};
-use crate::sketch::{Hull, PageScale, across, look, polar};
+use crate::sketch::{Hull, PageScale, across, faces, look, polar};
 use couplet_survey::QuantityRange;
 use std::io;
 
@@ -91,7 +91,7 @@ impl Reported for BandedArches {
 
 /// Radii of the intrados and the extrados.
 fn radii(of: &BandedArch) -> [f64; 2] {
-    [1.0 - of.thickness / 2.0, 1.0 + of.thickness / 2.0]
+    faces(of.thickness)
 }
 
 /// Draws a band between its lower and its upper edge.

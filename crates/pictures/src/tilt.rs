@@ -3,7 +3,7 @@
 
 use super::Sketched;
 use super::beside::Beside;
-use super::dxf::{WholePanel, whole};
+use super::dxf::whole;
 use super::json::{placed, polyline};
 use super::lean::write_lean;
 use super::legend::{Legend, LegendSample};
@@ -17,7 +17,9 @@ use crate::problem::Friction;
 use crate::problem::measures::{LengthUnit, Measures};
 use crate::report::numbers::rounded;
 use crate::report::{Content, Format, JointAtLimit, Record, Reported, TiltedArch, words};
-use crate::sketch::{Blocks, Hull, Linkage, PageScale, SketchedLine, WholeView, arrow, look};
+use crate::sketch::{
+    Blocks, Hull, Linkage, PageScale, SketchedLine, WholeView, arrow, faces, look,
+};
 use couplet_stones::{LargestTilt, TiltMechanism};
 use std::io;
 
@@ -95,13 +97,12 @@ impl TiltDrawing {
 
     fn dxf(&self) -> String {
         let panels = self.panels();
-        let shown = |panel: &TiltPanel<'_>| WholePanel {
-            view: panel.view.clone(),
-            headings: panel.lines().map(|(words, _)| words).to_vec(),
-            names: panel.names().collect(),
-        };
+        let shown = panels.iter().map(|panel| {
+            let headings = panel.lines().map(|(words, _)| words);
+            (&panel.view, headings, panel.names().collect())
+        });
         let unit = self.arches.first().map_or((None, 1.0), |arch| self.unit(arch));
-        whole(unit, &panels.iter().map(shown).collect::<Vec<_>>())
+        whole(unit, shown)
     }
 }
 
@@ -161,23 +162,6 @@ fn legend(panels: &[TiltPanel<'_>], room: f64) -> Legend {
     Legend::of_those(all, room)
 }
 
-/// The radius of a line on a half, by the forces on a joint there: its angle with the weight that is carried, and the
-/// thrust with what the acceleration adds.
-fn line(
-    [alpha, eta]: [&Ball; 2],
-    forces: &[Ball; 4],
-    stones: &[f64],
-    side: Side,
-    radius: impl Fn(&Angle<Ball>, &Angle<Ball>, &Ball) -> Ball,
-) -> SketchedLine {
-    let [h, _, v, k] = forces;
-    SketchedLine::new([alpha, eta], stones, |joint| {
-        let joint = side.joint(joint);
-        let thrust = k.clone() * &joint.rad + h;
-        radius(&joint, &carried(&joint, v), &thrust)
-    })
-}
-
 impl<'a> TiltPanel<'a> {
     fn new(arch: &'a TiltedArch, amplitude: f64) -> Self {
         let at = arch.arch.given::<Ball>(BITS);
@@ -194,17 +178,24 @@ impl<'a> TiltPanel<'a> {
         let all: Vec<f64> = mirrored.chain(stones.iter().copied()).collect();
         let mut view = WholeView {
             half_opening,
-            radii: [1.0 - thickness / 2.0, 1.0 + thickness / 2.0],
+            radii: faces(thickness),
             stones: all,
             ..WholeView::default()
         };
         let mut moved = None;
         if let Some(TiltMechanism { forces, joints }) = arch.mechanism() {
             let ring = Ring::new(arch.arch.weight(), &eta);
-            let [_, p, _, k] = forces;
-            let ends = [&at.half_opening.rad, &eta];
+            let [h, p, v, k] = forces;
+            // At a joint of a half: the weight that is carried, and the thrust with what the acceleration adds.
             let both = |radius: &RadiusAt<'_>| {
-                [Side::Right, Side::Left].map(|side| line(ends, forces, &stones, side, radius))
+                let at_joint = |side: Side, joint: &Angle<Ball>| {
+                    let joint = side.joint(joint);
+                    let thrust = k.clone() * &joint.rad + h;
+                    radius(&joint, &carried(&joint, v), &thrust)
+                };
+                let ends = [&at.half_opening.rad, &eta];
+                [Side::Right, Side::Left]
+                    .map(|side| SketchedLine::new(ends, &stones, |joint| at_joint(side, joint)))
             };
             let fac = &ring.centroid_factor;
             if joints.iter().any(|joint| joint.contact.is_hinge()) {
@@ -221,9 +212,9 @@ impl<'a> TiltPanel<'a> {
             view.marks = joints.iter().map(|joint| (joint.contact, joint.angle.double())).collect();
             if let Ok(joints) = view.marks.clone().try_into() {
                 let found = Linkage { joints, thickness }.moved(amplitude);
-                moved = found.as_ref().map(|(_, by)| *by);
+                moved = found.as_ref().map(|found| found.by);
                 view.blocks =
-                    found.map(|(blocks, _)| Blocks::at_rest(blocks, view.radii, &view.stones));
+                    found.map(|found| Blocks::at_rest(found.blocks, view.radii, &view.stones));
             }
         }
         Self { arch, view, joints: arch.joints(), moved }

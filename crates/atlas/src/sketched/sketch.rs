@@ -13,7 +13,7 @@ use crate::certify::{CertifiedLandmark, Error, Refused, Undecided, asymmetric_th
 use crate::number::{Ball, Drawable, Enclosure, ExactNumber, Rounded, Ternary, says};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Fixed, Landmark, Mode};
-use crate::sketch::{NoCollapse, joints_of};
+use crate::sketch::{NoCollapse, faces, joints_of};
 use couplet_stones::{VoussoirStanding, Voussoirs, assess_voussoirs, voussoirs};
 
 /// An arch to be drawn.
@@ -364,8 +364,7 @@ impl Sketch {
 
     /// The radii of the intrados and the extrados.
     pub fn radii(&self) -> [f64; 2] {
-        let eta = self.thickness();
-        [1.0 - eta / 2.0, 1.0 + eta / 2.0]
+        faces(self.thickness())
     }
 
     /// Tells whether the line of friction jumps at the crown: without thrust it is at its limit next to it.

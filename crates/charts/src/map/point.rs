@@ -1,5 +1,6 @@
 //! A point of a curve at a parameter, with digits, `couplet.map_point/1`.
 
+use super::rows::weight_of;
 use crate::arch::SelfWeight;
 use crate::atlas::Curve;
 use crate::number::Rounded;
@@ -21,14 +22,10 @@ pub struct MapPoint {
 }
 
 impl MapPoint {
-    fn weight(&self) -> Option<&'static str> {
-        (!self.curve.is_weightless()).then(|| self.weight.name())
-    }
-
     /// Cells that name the point.
     fn named(&self) -> Record {
         let mut record = Record::of("couplet.map_point/1");
-        record.add("weight", self.weight());
+        record.add("weight", weight_of(self.curve, self.weight));
         record.add("curve", self.curve.to_string());
         record.add("parameter", self.curve.parameter().name());
         record.add("given", self.given.as_str());
@@ -40,7 +37,8 @@ impl Reported for MapPoint {
     fn records(&self) -> Vec<Record> {
         let mut record = self.named();
         let parameter = self.curve.parameter().name().replace('_', " ");
-        let weight = self.weight().map_or("any self-weight".to_owned(), |_| model(self.weight));
+        let weight = weight_of(self.curve, self.weight)
+            .map_or("any self-weight".to_owned(), |_| model(self.weight));
         record.say(format!("{} at {parameter} {}, {weight}\n", self.curve, self.given));
         let mut values = Record::default();
         self.values.iter().for_each(|(of, value)| values.show(*of, 12, value));

@@ -52,7 +52,7 @@ fn parquet(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
 fn curve(trace: &Trace) -> Record {
     let [from, to] = trace.curve.ends().map(|end| end.to_string());
     let mut record = Record::default();
-    record.add("weight", weight_of(trace));
+    record.add("weight", weight_of(trace.curve, trace.weight));
     record.add("curve", trace.curve.to_string());
     record.add("parameter", trace.curve.parameter().name());
     record.add("from", from);

@@ -1,8 +1,9 @@
 //! A row for each node of a curve, in the columns that every format of data has.
 
 use super::Map;
+use crate::arch::SelfWeight;
 use crate::atlas::{
-    Border, Branch, Contour, Level, Part, Piece, Place, Stretch, Trace, TracePoint, Variable,
+    Border, Branch, Contour, Curve, Level, Part, Piece, Place, Stretch, Trace, TracePoint, Variable,
 };
 use crate::number::{Ball, Enclosure};
 use crate::report::Column::{Double, Integer, Shown, Text, Truth};
@@ -25,8 +26,8 @@ pub(crate) struct MapRow<'a> {
 }
 
 /// Whose weight a curve belongs to; sliding is the same for both.
-pub(super) fn weight_of(trace: &Trace) -> Option<&'static str> {
-    (!trace.curve.is_weightless()).then(|| trace.weight.name())
+pub(super) fn weight_of(curve: Curve, weight: SelfWeight) -> Option<&'static str> {
+    (!curve.is_weightless()).then(|| weight.name())
 }
 
 impl<'a> MapRow<'a> {
@@ -77,7 +78,7 @@ impl<'a> MapRow<'a> {
 
     /// The rows of a curve.
     pub(super) fn of_trace(trace: &'a Trace) -> Vec<Self> {
-        let named = (weight_of(trace), trace.curve.to_string(), None);
+        let named = (weight_of(trace.curve, trace.weight), trace.curve.to_string(), None);
         Self::all(&named, trace.points(), trace.pieces())
     }
 

@@ -11,7 +11,7 @@ pub(super) const TITLES: [&str; 5] = ["curve", "weight", "parameter", "from", "t
 
 pub(super) fn names(trace: &Trace) -> [String; 5] {
     let [from, to] = trace.curve.ends().map(|end| end.to_string());
-    let weight = weight_of(trace).unwrap_or("any").to_owned();
+    let weight = weight_of(trace.curve, trace.weight).unwrap_or("any").to_owned();
     let parameter = trace.curve.parameter().name().to_owned();
     [trace.curve.to_string(), weight, parameter, from, to]
 }

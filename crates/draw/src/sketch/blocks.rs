@@ -3,7 +3,7 @@
 use super::Collapse;
 use super::look;
 use super::moved::{Block, moved};
-use super::scale::{PageScale, polar};
+use super::scale::{PageScale, faces, polar};
 use crate::arch::Configuration;
 use crate::number::Drawable;
 use crate::picture::{Path, Point, Rigid, Svg};
@@ -34,7 +34,7 @@ impl Blocks {
         animate: bool,
         joints: &[f64],
     ) -> Self {
-        let eta = at.thickness.double();
+        let radii = faces(at.thickness.double());
         let at = |share: f64| moved(collapse, at, amplitude * share).blocks;
         let steps = if animate { 2 * STEPS } else { 0 };
         // Slow at both ends.
@@ -43,7 +43,7 @@ impl Blocks {
         Self {
             fallen: at(1.0),
             steps: (0..=steps).filter(|_| animate).map(|k| at(share(k))).collect(),
-            radii: [1.0 - eta / 2.0, 1.0 + eta / 2.0],
+            radii,
             joints: joints.to_vec(),
         }
     }

@@ -4,8 +4,8 @@
 //! zero, which are three equations for the ratios of their rates: the blocks move as a four-bar linkage does, or as one
 //! with slides. The motion is followed in small steps, for the eye.
 
-use super::moved::Block;
-use super::scale::polar;
+use super::moved::{Block, Moved};
+use super::scale::faces;
 use crate::arch::mechanism::{Contact, Motion, Twist};
 use crate::number::Angle;
 
@@ -30,14 +30,16 @@ const HALVINGS: u32 = 40;
 impl Linkage {
     /// The blocks from the right, moved so far that the corner that moves most has moved by `amplitude`, in units of
     /// `r`, or as far as they go; and by how much it has. `None` if not every rate is positive at rest.
-    pub fn moved(&self, amplitude: f64) -> Option<(Vec<Block>, f64)> {
+    pub fn moved(&self, amplitude: f64) -> Option<Moved> {
         let mut place: Place = [[0.0; 3]; 3];
         let speed = self.velocities(&place)?;
-        let fastest = self.corners().map(|(block, at)| {
-            let [turn, x, y] = speed[block];
-            (x - turn * at[1]).hypot(y + turn * at[0])
-        });
-        let step = amplitude / STEPS / fastest.fold(f64::MIN_POSITIVE, f64::max);
+        let fastest = |block: &Block| {
+            let [turn, x, y] = speed[block.place];
+            let corners = block.corners(faces(self.thickness));
+            corners.map(|at| (x - turn * at[1]).hypot(y + turn * at[0])).fold(0.0, f64::max)
+        };
+        let fastest = self.blocks(&place).iter().map(fastest).fold(f64::MIN_POSITIVE, f64::max);
+        let step = amplitude / STEPS / fastest;
         for _ in 0..MOST {
             let Some(next) = self.stepped(&place, step) else { break };
             if self.largest(&next) < amplitude {
@@ -54,12 +56,16 @@ impl Linkage {
             place = self.stepped(&place, low).unwrap_or(place);
             break;
         }
-        let block = |k: usize| Block {
+        Some(Moved { blocks: self.blocks(&place).into(), by: self.largest(&place) })
+    }
+
+    /// The blocks where they are.
+    fn blocks(&self, at: &Place) -> [Block; 3] {
+        std::array::from_fn(|k| Block {
             place: k,
             between: [self.joints[k + 1].1, self.joints[k].1],
-            motion: motion(&place[k]),
-        };
-        Some(((0..3).map(block).collect(), self.largest(&place)))
+            motion: motion(&at[k]),
+        })
     }
 
     /// A step of the fourth order.
@@ -120,23 +126,10 @@ impl Linkage {
         Some(velocities)
     }
 
-    /// The corners of each block, to the right and up.
-    fn corners(&self) -> impl Iterator<Item = (usize, [f64; 2])> + '_ {
-        let radii = [-0.5, 0.5].map(|share| 1.0 + share * self.thickness);
-        (0..3).flat_map(move |k| {
-            [self.joints[k].1, self.joints[k + 1].1]
-                .into_iter()
-                .flat_map(move |joint| radii.map(|radius| (k, polar(joint, radius))))
-        })
-    }
-
     /// Distance by which the corner that moved most has moved.
     fn largest(&self, at: &Place) -> f64 {
-        let away = self.corners().map(|(block, corner)| {
-            let to = motion(&at[block]).to(&corner);
-            (to[0] - corner[0]).hypot(to[1] - corner[1])
-        });
-        away.fold(0.0, f64::max)
+        let radii = faces(self.thickness);
+        self.blocks(at).iter().map(|block| block.by(radii)).fold(0.0, f64::max)
     }
 }
 
@@ -148,6 +141,7 @@ fn motion([turn, x, y]: &[f64; 3]) -> Motion<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sketch::polar;
     use Contact::{Extrados, Intrados, Inwards, Outwards};
 
     fn linkage(joints: [(Contact, f64); 4]) -> Linkage {
@@ -164,7 +158,7 @@ mod tests {
     fn hinges_stay_together() {
         let of = linkage([(Extrados, 1.5), (Intrados, 0.5), (Extrados, -0.4), (Intrados, -1.3)]);
         for amplitude in [0.01, 0.1, 0.2] {
-            let (blocks, by) = of.moved(amplitude).unwrap();
+            let Moved { blocks, by } = of.moved(amplitude).unwrap();
             assert!((by - amplitude).abs() < 1e-9, "{by}");
             for (k, joint) in of.joints.into_iter().enumerate() {
                 let point = place(joint, of.thickness);
@@ -185,7 +179,7 @@ mod tests {
     #[test]
     fn what_slides_stays_closed() {
         let of = linkage([(Outwards, 1.5), (Intrados, 0.6), (Extrados, -0.3), (Intrados, -1.2)]);
-        let (blocks, _) = of.moved(0.1).unwrap();
+        let blocks = of.moved(0.1).unwrap().blocks;
         let (sin, cos) = 1.5f64.sin_cos();
         let moved = blocks[0].motion.to(&[sin, cos]);
         // On the ground the joint has not turned.

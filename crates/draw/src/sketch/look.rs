@@ -26,6 +26,14 @@ pub const BAND: Color = RED;
 pub const FRICTION: Stroke = Stroke { color: BLUE, width: 1.9, dashes: &[6.0, 3.0] };
 /// The line of friction under the largest thrust.
 pub const LARGEST_FRICTION: Stroke = Stroke { color: BLUE, width: 1.9, dashes: &[2.0, 2.6] };
+/// The lines of thrust and of friction under the first thrust, of so many lines, or under the largest.
+pub fn of_lines(place: usize, lines: usize) -> [Stroke; 2] {
+    match (place, lines) {
+        (0, 1) => [THRUST, FRICTION],
+        (0, _) => [EXTREME, FRICTION],
+        _ => [LARGEST, LARGEST_FRICTION],
+    }
+}
 /// Below a line of thrust where it is outside the arch.
 pub const OUTSIDE: Stroke = Stroke::new(Color(0xF4, 0xB9, 0x8F), 9.0);
 /// Below a line of friction where that is passed.

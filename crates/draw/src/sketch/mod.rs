@@ -44,6 +44,6 @@ pub use line::{SketchedLine, across};
 pub use linkage::Linkage;
 pub use moved::{Block, Moved, moved};
 pub use picture::picture;
-pub use scale::{PageScale, polar};
+pub use scale::{PageScale, faces, polar};
 pub use view::{ArchView, CROWN, on_sides};
 pub use whole::WholeView;

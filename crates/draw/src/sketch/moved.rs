@@ -1,7 +1,7 @@
 //! The blocks after a finite motion.
 
 use super::collapse::Collapse;
-use super::scale::polar;
+use super::scale::{faces, polar};
 use crate::arch::Configuration;
 use crate::arch::mechanism::{Motion, moves_keystone};
 use crate::number::Drawable;
@@ -24,6 +24,22 @@ pub struct Block {
     pub between: [f64; 2],
     /// Motion by which it is where it is.
     pub motion: Motion<f64>,
+}
+
+impl Block {
+    /// Corners of the block at rest, at two radii, to the right and up.
+    pub fn corners(&self, radii: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+        self.between.into_iter().flat_map(move |joint| radii.map(|radius| polar(joint, radius)))
+    }
+
+    /// Distance by which the corner that moved most has moved; what is no number is too far.
+    pub(super) fn by(&self, radii: [f64; 2]) -> f64 {
+        let away = self.corners(radii).map(|corner| {
+            let to = self.motion.to(&corner);
+            (to[0] - corner[0]).hypot(to[1] - corner[1])
+        });
+        away.fold(0.0, |most: f64, x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
+    }
 }
 
 /// A block narrower than this part of the half arch is none.
@@ -58,20 +74,8 @@ pub fn moved<T: Drawable>(collapse: &Collapse<T>, at: &Configuration<T>, amplitu
         let narrow = NARROW * at.half_opening.rad;
         all.filter(|block| block.between[1] - block.between[0] > narrow).collect()
     };
-    let radii = [-0.5, 0.5].map(|share| 1.0 + share * at.thickness);
-    let largest = |by: f64| {
-        let blocks = blocks(by);
-        let away = blocks.iter().flat_map(|block| {
-            let joints = block.between.into_iter();
-            let corners = joints.flat_map(move |joint| radii.map(|radius| polar(joint, radius)));
-            corners.map(|corner| {
-                let to = block.motion.to(&corner);
-                (to[0] - corner[0]).hypot(to[1] - corner[1])
-            })
-        });
-        // What is no number is too far.
-        away.fold(0.0, |most: f64, x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
-    };
+    let radii = faces(at.thickness);
+    let largest = |by: f64| blocks(by).iter().map(|block| block.by(radii)).fold(0.0, f64::max);
     let (mut low, mut high) = (0.0, LARGEST);
     for _ in 0..HALVINGS {
         let middle = (low + high) / 2.0;

@@ -16,6 +16,11 @@ pub fn polar(joint: f64, radius: f64) -> [f64; 2] {
     [radius * joint.sin(), radius * joint.cos()]
 }
 
+/// The radii of the intrados and the extrados, in units of `r`.
+pub fn faces(thickness: f64) -> [f64; 2] {
+    [1.0 - thickness / 2.0, 1.0 + thickness / 2.0]
+}
+
 impl PageScale {
     /// A point to the right and up of the centre; `side` is -1 for the left half. To a hundredth of the page's
     /// unit, which no eye sees and files are shorter by.

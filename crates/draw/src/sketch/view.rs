@@ -125,11 +125,7 @@ impl ArchView<'_> {
                 (true, _) => "-largest",
                 _ => "",
             };
-            let (thrust, friction) = match (place, of.thrust.len()) {
-                (0, 1) => (look::THRUST, look::FRICTION),
-                (0, _) => (look::EXTREME, look::FRICTION),
-                _ => (look::LARGEST, look::LARGEST_FRICTION),
-            };
+            let [thrust, friction] = look::of_lines(place, of.thrust.len());
             let friction_outside = [(of.friction, look::PASSED)].into_iter();
             let outside =
                 friction_outside.chain(of.thrust.iter().map(|line| (line, look::OUTSIDE)));

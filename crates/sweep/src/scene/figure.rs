@@ -21,7 +21,7 @@ pub fn figure(
     command: impl FnOnce(&[SelfWeight]) -> String,
 ) -> Result<Request, String> {
     let view = View::of_figure(number);
-    let is_of_one = view.is_none_or(View::is_of_one_weight);
+    let is_of_one = view.is_none_or(|view| matches!(view, View::Map(_)));
     let usual = if is_of_one { &[SelfWeight::Milankovitch] } else { &SelfWeight::ALL[..] };
     let weights = weights.map_or(usual.to_vec(), in_order);
     let command = command(&weights);

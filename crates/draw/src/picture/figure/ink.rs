@@ -1,30 +1,39 @@
 //! The colour, dashes and marker of a line.
 
 use super::panel::{Kind, PlottedLine};
-use crate::number::list;
 use crate::picture::color::{Color, OKABE_ITO, WHITE};
 use crate::picture::{Path, Point, Stroke, Svg};
 
 /// Lengths of strokes and gaps in turn. None is a whole line.
 const DASHES: [&[f64]; 5] = [&[], &[9.0, 3.0], &[15.0, 3.0, 3.0, 3.0], &[4.0, 2.5], &[18.0, 5.0]];
-const MARKERS: [Marker; 8] = list![Marker:
-    Disc OpenSquare Triangle OpenDiamond Cross Square OpenTriangle Ring
+/// A disc, an open square, a triangle, an open diamond, a cross, a square, an open triangle and a ring.
+const MARKERS: [Marker; 8] = [
+    |svg, at, color| svg.disc(at, 4.2, color),
+    |svg, at, color| open(svg, &outline(at, &square(3.6)), color),
+    |svg, at, color| svg.fill(&outline(at, &triangle(5.6)), color),
+    |svg, at, color| {
+        let diamond = [(0.0, -5.2), (4.6, 0.0), (0.0, 5.2), (-4.6, 0.0)];
+        open(svg, &outline(at, &diamond), color);
+    },
+    |svg, (x, y), color| {
+        let mut cross = Path::through([(x - 3.8, y - 3.8), (x + 3.8, y + 3.8)]);
+        cross.start((x - 3.8, y + 3.8));
+        cross.line((x + 3.8, y - 3.8));
+        svg.stroke(&cross, Stroke::new(color, 2.2));
+    },
+    |svg, at, color| svg.fill(&outline(at, &square(3.9)), color),
+    |svg, at, color| open(svg, &outline(at, &triangle(-5.2)), color),
+    |svg, at, color| {
+        svg.disc(at, 4.8, color);
+        svg.disc(at, 3.2, WHITE);
+    },
 ];
 /// References, in turn.
 const REFERENCES: [&[f64]; 3] = [&[7.0, 5.0], &[2.0, 4.0], &[12.0, 4.0, 2.0, 4.0]];
 const REFERENCE: Color = Color(0x77, 0x77, 0x77);
 
-#[derive(Clone, Copy, PartialEq)]
-enum Marker {
-    Disc,
-    OpenSquare,
-    Triangle,
-    OpenDiamond,
-    Cross,
-    Square,
-    OpenTriangle,
-    Ring,
-}
+/// Draws a marker at a point.
+type Marker = fn(&mut Svg, Point, Color);
 
 /// Look of a line.
 #[derive(Clone, Copy)]
@@ -92,31 +101,9 @@ impl Ink {
     }
 
     /// The marker at a point, if the line has one.
-    pub(super) fn mark(&self, svg: &mut Svg, (x, y): Point) {
-        let Some(marker) = self.marker else { return };
-        let color = self.stroke.color;
-        let at = |corners: &[Point]| -> Vec<Point> {
-            corners.iter().map(|(dx, dy)| (x + dx, y + dy)).collect()
-        };
-        match marker {
-            Marker::Disc => svg.disc((x, y), 4.2, color),
-            Marker::Ring => {
-                svg.disc((x, y), 4.8, color);
-                svg.disc((x, y), 3.2, WHITE);
-            }
-            Marker::Square => svg.fill(&Path::around(at(&square(3.9))), color),
-            Marker::Triangle => svg.fill(&Path::around(at(&triangle(5.6))), color),
-            Marker::OpenSquare => open(svg, at(&square(3.6)), color),
-            Marker::OpenTriangle => open(svg, at(&triangle(-5.2)), color),
-            Marker::OpenDiamond => {
-                open(svg, at(&[(0.0, -5.2), (4.6, 0.0), (0.0, 5.2), (-4.6, 0.0)]), color);
-            }
-            Marker::Cross => {
-                let mut cross = Path::through(at(&[(-3.8, -3.8), (3.8, 3.8)]));
-                cross.start((x - 3.8, y + 3.8));
-                cross.line((x + 3.8, y - 3.8));
-                svg.stroke(&cross, Stroke::new(color, 2.2));
-            }
+    pub(super) fn mark(&self, svg: &mut Svg, at: Point) {
+        if let Some(marker) = self.marker {
+            marker(svg, at, self.stroke.color);
         }
     }
 
@@ -132,10 +119,14 @@ impl Ink {
     }
 }
 
-fn open(svg: &mut Svg, corners: Vec<Point>, color: Color) {
-    let outline = Path::around(corners);
-    svg.fill(&outline, WHITE);
-    svg.stroke(&outline, Stroke::new(color, 1.6));
+/// Once round corners, which are told from a point.
+fn outline((x, y): Point, corners: &[Point]) -> Path {
+    Path::around(corners.iter().map(|(dx, dy)| (x + dx, y + dy)))
+}
+
+fn open(svg: &mut Svg, outline: &Path, color: Color) {
+    svg.fill(outline, WHITE);
+    svg.stroke(outline, Stroke::new(color, 1.6));
 }
 
 fn square(half: f64) -> [Point; 4] {
