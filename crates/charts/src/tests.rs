@@ -180,7 +180,7 @@ fn a_map_has_every_domain_line_and_name() {
                 Mode::Overturning => name.ends_with("opening-thickness"),
                 _ => false,
             };
-            assert!(is_line || is_there(crate::content::domain_id(mode)), "{name} {mode}");
+            assert!(is_line || is_there(content::domain_id(mode)), "{name} {mode}");
             let is_named = words.iter().any(|word| word == mode.label());
             assert!(is_named || (is_line && mode != Mode::Overturning), "{name} {mode}");
         }

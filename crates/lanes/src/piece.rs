@@ -48,6 +48,7 @@ impl<const IN: usize, const OUT: usize> LanePiece<IN, OUT> {
 
     /// The one text of all widths.
     #[inline(always)]
+    #[allow(clippy::needless_range_loop, reason = "a place is one of many columns")]
     pub(super) fn prove<P: Product, const ANGLES: usize>(
         &mut self,
         proof: &impl Proof<IN, ANGLES, OUT>,

@@ -243,6 +243,7 @@ fn at_the_edge(size: f64, rad: f64) -> (bool, f64) {
 
 /// Tells whether a midpoint of size `size` is kept, which else becomes zero, and the radius: without a branch.
 #[inline(always)]
+#[allow(clippy::manual_range_contains, reason = "a range decides in two steps")]
 pub(super) fn anywhere(size: f64, rad: f64) -> (bool, f64) {
     let in_range = (size <= LARGEST) & (rad >= 0.0) & (rad <= LARGEST);
     let is_kept = (size == 0.0) | (size >= SMALLEST);
