@@ -115,7 +115,7 @@ def _stones(value: Any) -> str:
 
 def ranged(values: dict[str, Any]) -> dict[str, Any]:
     """The values of arches, of which each may be two ends, with texts of these ranges."""
-    return {name: _range(name, value) for name, value in values.items()}
+    return {name: _range(name, value) if name in FIELDS else value for name, value in values.items()}
 
 
 def _range(name: str, value: Any) -> Any:

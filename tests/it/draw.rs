@@ -481,6 +481,7 @@ fn what_falls_is_drawn_as_it_falls() {
 #[test]
 fn a_picture_tells_an_asymmetric_mechanism() {
     let line = "draw --half-opening 2.3 --friction 1.05 --thickness 0.55";
+    // By a search made apart from this one.
     let moves = "0.583084449604";
     tells(&printed(line), ["an admissible symmetric state exists", moves]);
     assert!(arch(line)["asymmetric_thickness"]["value"].text().starts_with(moves));

@@ -55,7 +55,7 @@ fn compare(path: &Path) {
 #[test]
 fn every_stored_output_is_that_of_its_commands() {
     let files = files("tests/it/snapshots", "txt");
-    assert!(files.len() > 60);
+    assert!(files.len() > 80);
     files.par_iter().for_each(|path| compare(path));
 }
 

@@ -1,7 +1,8 @@
 //! Nothing is computed that is not needed, and nothing twice.
 
-use super::{HEAD, ONE_THICKNESS};
+use super::{HEAD, ONE_THICKNESS, scene_in};
 use crate::arches::{M, arch};
+use crate::program::{Scratch, ended, tells};
 use couplet::certify::state::Certify;
 use couplet::problem::{Equation, tally};
 use couplet::scene::{Costs, Plan, SceneRun, read};
@@ -109,4 +110,19 @@ fn arches_of_one_half_opening_share_its_proofs() {
     assert!(of(&range(30), "csv") < 5 * of("1", "csv"));
     // For a format that has errors of doubles each is proved.
     assert!(of(&range(30), "toml") > 20 * of("1", "toml"));
+}
+
+#[test]
+fn what_was_computed_is_explained_with_its_cost() {
+    let scratch = Scratch::new();
+    let scene = scene_in(&scratch, ONE_THICKNESS);
+    let (table, tree) = ended(0, ["run", &scene, "--explain"], "");
+    tells(&table, ["0.107478038107476"]);
+    let told = [
+        "evaluations: (2) ",
+        "sliding_friction, rotational_friction of 1 arch: not asked for",
+        "in all, processor time of the program: ",
+    ];
+    tells(&tree, told);
+    assert!(!tree.contains("as proved for another"), "{tree}");
 }

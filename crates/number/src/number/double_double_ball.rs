@@ -183,6 +183,47 @@ mod tests {
         assert_eq!((-DoubleDoubleBall::new(almost, 0.5)).is_positive(), Ternary::False);
     }
 
+    /// A ball by its parts, of which zeros of both signs are one.
+    fn parts(ball: &DoubleDoubleBall) -> [f64; 3] {
+        [ball.mid().hi(), ball.mid().lo(), ball.rad()]
+    }
+
+    /// What lanes find comes out as the ball that is made of it alone, at every edge.
+    #[test]
+    fn columns_put_into_range_what_they_are_given() {
+        let (inf, nan) = (f64::INFINITY, f64::NAN);
+        let [small, large] = [-220, 220].map(power_of_two);
+        let middles =
+            [0.0, 5e-324, small.next_down(), small, 1.5, large, large.next_up(), inf, nan];
+        let least = power_of_two(-330);
+        let radii = [0.0, 5e-324, least, 1e-20, large, large.next_up(), inf, nan, 1.0];
+        let mut column = BallColumn::<2>::WHOLE;
+        assert!((0..2).all(|place| !column.get(place).is_bounded()));
+        for (middle, rad) in middles.into_iter().flat_map(|x| radii.map(|rad| (x, rad))) {
+            for (middle, rad) in [(middle, rad), (-middle, rad), (middle, -rad)] {
+                let mid = DoubleDouble::sum(middle, middle * 1e-20);
+                column.put_found(1, &FloatBall::<DoubleDouble, Branchless>::new(mid, rad));
+                let [found, expected] = [column.get(1), DoubleDoubleBall::new(mid, rad)];
+                assert_eq!(parts(&found), parts(&expected), "{middle} {rad}");
+                assert_eq!(parts(&expected)[2].is_finite(), found.is_bounded(), "{middle} {rad}");
+                column.put(0, &found);
+                assert_eq!(column.get(0).to_bits(), found.to_bits());
+            }
+        }
+    }
+
+    /// A word alone is the same number as with a word of zeros above it.
+    #[test]
+    fn a_whole_number_of_one_word_is_exact() {
+        let words = [0, 1, u64::from(u32::MAX), (1 << 53) + 1, 1 << 63 | 1, u64::MAX - 1, u64::MAX];
+        for (word, is_negative) in words.into_iter().flat_map(|w| [(w, false), (w, true)]) {
+            let [one, two] = [&[word][..], &[word, 0]];
+            let [one, two] = [one, two].map(|of| DoubleDoubleBall::of_words(is_negative, of, 0));
+            assert_eq!(parts(&one), parts(&two), "{word} {is_negative}");
+            assert_eq!(one.rad(), 0.0);
+        }
+    }
+
     /// Numbers of more bits than fit, far out of range, next to a tie: held, and tightly.
     #[test]
     fn a_ball_of_mpfr_is_held_and_comes_back() {

@@ -32,7 +32,11 @@ struct RawRecord {
 impl RawRecord {
     /// Gives back what is read behind one of its lines: a quote too many has swallowed it.
     fn give_back(&self, lines: &mut InputLines, line: u64) {
-        lines.give_back(&self.bytes[self.ends[(line - self.line) as usize]..], line + 1);
+        let swallowed = &self.bytes[self.ends[(line - self.line) as usize]..];
+        // What is given back moves all that was given back before.
+        if !swallowed.is_empty() {
+            lines.give_back(swallowed, line + 1);
+        }
     }
 }
 

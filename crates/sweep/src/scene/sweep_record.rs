@@ -184,22 +184,24 @@ impl SweepRecord {
 
     /// Number of parts.
     fn count(&self) -> u64 {
+        let chunk = self.chunk.max(1);
         match &self.arches {
             SweepArches::Data { files } => {
                 let parts = |file: &DataFile| file.slices.len().div_ceil(self.slices_of_a_part());
                 files.iter().map(|file| parts(file) as u64).sum()
             }
             _ => match self.column() {
-                column if column <= self.chunk => self.rows.div_ceil(self.chunk / column * column),
-                column => self.rows / column * column.div_ceil(self.chunk),
+                column if column <= chunk => self.rows.div_ceil(chunk / column * column),
+                column => self.rows / column * column.div_ceil(chunk),
             },
         }
     }
 
-    /// The ranges of rows of the parts, in order. A part of a grid has whole columns, or a piece of one.
+    /// The ranges of rows of the parts, in order. A part of a grid has whole columns, or a piece of one; of a plan that
+    /// does not say how many rows a part has, one row.
     pub fn parts(&self) -> Vec<Range<u64>> {
         let SweepArches::Data { files } = &self.arches else {
-            return pieces(&(0..self.rows), self.column(), self.chunk);
+            return pieces(&(0..self.rows), self.column(), self.chunk.max(1));
         };
         let mut first = 0;
         let parts = files.iter().flat_map(|file| file.slices.chunks(self.slices_of_a_part()));
@@ -300,6 +302,7 @@ mod tests {
         };
         contradicts(SweepRecord { rows: 1_000_000_000_000_000_000, ..usual() });
         contradicts(SweepRecord { chunk: 0, ..usual() });
+        assert_eq!(SweepRecord { chunk: 0, ..usual() }.parts().len(), 10);
         contradicts(SweepRecord { chunk: u64::MAX, ..usual() });
         contradicts(SweepRecord { digits: usize::MAX, ..usual() });
         let text = usual().text().replace("\"thickness\"", "\"x\"");
