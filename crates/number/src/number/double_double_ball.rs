@@ -188,7 +188,7 @@ mod tests {
         [ball.mid().hi(), ball.mid().lo(), ball.rad()]
     }
 
-    /// What lanes find comes out as the ball that is made of it alone, at every edge.
+    /// Columns hold the ball that is made of each row alone, at every edge.
     #[test]
     fn columns_put_into_range_what_they_are_given() {
         let (inf, nan) = (f64::INFINITY, f64::NAN);

@@ -14,7 +14,7 @@ fn hexadecimal(hash: Sha256) -> String {
 
 /// Writer that writes through, and knows the hash of what was written.
 pub struct Hashing<W> {
-    /// What is written to: bytes that are put there past the hash are not in it.
+    /// The writer below: bytes that are put there past the hash are not in it.
     pub inner: W,
     hash: Sha256,
 }
