@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 _SECONDS = 0.2
 _FIRST = 512
 #: The most rows of a piece: more are not in the caches when their columns are written.
-_MOST = 1 << 17
+_MOST = 1 << 15
 #: Pairs among the rows that are looked at where each number comes three times.
 _PAIRS = 256
 
