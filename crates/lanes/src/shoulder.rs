@@ -75,7 +75,7 @@ impl Proof<2, 3, 4> for Shoulder<'_> {
         let Self { weight, .. } = *self;
         let half_opening = alpha.angle(&at_alpha);
         let thrust = sliding::shoulder_thrust(&half_opening, &friction).value();
-        let found = root(&ShoulderEquation { weight, thrust }, (joint, &at_joint), 2);
+        let found = root(&ShoulderEquation { weight, thrust }, (joint, &at_joint), 1);
         let [thickness] = found.values;
         let at = in_doubles(&half_opening, [&thickness, &thrust, &friction], found.domain);
         let rates = contact::rates_of_shoulder_sliding(&at);

@@ -46,7 +46,7 @@ impl Proof<1, 2, 2> for Steepest<'_> {
         [(chi, at_chi), (_, at_friction)]: [(f64, SinePoint); 2],
     ) -> [Long<P>; 2] {
         let equation = SteepestEquation { friction, at_friction: &at_friction };
-        let found = root(&equation, (chi, &at_chi), 2);
+        let found = root(&equation, (chi, &at_chi), 1);
         let is_proved = found.is_proved & is_within(friction.mid().hi(), FRICTIONS);
         found.values.map(|x| known_if(is_proved, x))
     }
@@ -113,7 +113,7 @@ impl Proof<1, 3, 2> for Sliding<'_> {
     ) -> [Long<P>; 2] {
         let half_opening = alpha.angle(&at_alpha);
         let equation = AtShoulder { half_opening, at_inclination: &at_inclination };
-        let found = root(&equation, (chi, &at_chi), 2);
+        let found = root(&equation, (chi, &at_chi), 1);
         let [friction, _] = found.values;
         // The angles are those of a state where `phi` and `psi` are between zero and what they may be.
         let room = alpha - cycloid::joint(&found.domain).in_double_doubles();

@@ -1,4 +1,4 @@
-//! Tables of start values: a parabola on each cell of a number.
+//! Tables of start values: a cubic on each cell of a number.
 //!
 //! A table is made of candidates, once and when it is first asked for. Nothing that is proved rests on it.
 
@@ -11,16 +11,16 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
 
 /// Cells of a table. A power of two, so that a place is some bits of a number.
-const CELLS: usize = 512;
+const CELLS: usize = 256;
 
 /// Adding and taking it away rounds to an integer, which is the last bits of the sum.
 const ROUNDING: f64 = (3u64 << 51) as f64;
 
-/// `N` functions of a number between two ends: parabolas by the distance from the middle of a cell in widths.
+/// `N` functions of a number between two ends: cubics by the distance from the middle of a cell in widths.
 pub(super) struct Table<const N: usize> {
     first: f64,
     cells_a_unit: f64,
-    cells: Vec<[[f64; 3]; N]>,
+    cells: Vec<[[f64; 4]; N]>,
 }
 
 impl<const N: usize> Table<N> {
@@ -29,11 +29,15 @@ impl<const N: usize> Table<N> {
         let at = |place: f64| of(first + place * width);
         let mut left = at(-0.5);
         let cell = |k: usize| {
-            let [middle, right] = [0.0, 0.5].map(|by| at(k as f64 + by));
-            let mut cell = [[0.0; 3]; N];
-            for (which, parabola) in cell.iter_mut().enumerate() {
-                let [left, middle, right] = [left, middle, right].map(|of| of[which]);
-                *parabola = [middle, right - left, 2.0 * (left - 2.0 * middle + right)];
+            // At the ends of the cell, and at a third of it from them.
+            let [low, high, right] = [-1.0 / 6.0, 1.0 / 6.0, 0.5].map(|by| at(k as f64 + by));
+            let mut cell = [[0.0; 4]; N];
+            for (which, cubic) in cell.iter_mut().enumerate() {
+                let [left, low, high, right] = [left, low, high, right].map(|of| of[which]);
+                let square = 2.25 * (left + right - low - high);
+                let cube = 4.5 * (right - left - 3.0 * (high - low));
+                let constant = 0.5 * (low + high) - square / 36.0;
+                *cubic = [constant, right - left - 0.25 * cube, square, cube];
             }
             left = right;
             cell
@@ -49,8 +53,8 @@ impl<const N: usize> Table<N> {
         let from = place - (rounded - ROUNDING);
         let cell = &self.cells[rounded.to_bits() as usize % CELLS];
         let mut all = [0.0; N];
-        for (value, [a, b, c]) in all.iter_mut().zip(cell) {
-            *value = a + from * (b + from * c);
+        for (value, [a, b, c, d]) in all.iter_mut().zip(cell) {
+            *value = a + from * (b + from * (c + from * d));
         }
         all
     }

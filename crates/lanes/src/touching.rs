@@ -52,7 +52,7 @@ impl Proof<1, 1, 2> for Above<'_> {
         [(joint, at_joint)]: [(f64, SinePoint); 1],
     ) -> [Long<P>; 2] {
         let equation = AboveJoint { weight: self.weight, thickness };
-        let found = root(&equation, (joint, &at_joint), 2);
+        let found = root(&equation, (joint, &at_joint), 1);
         let [h] = found.values;
         let place = start::place_of_thickness(thickness.mid().hi());
         let is_proved = found.is_proved & is_within(place, start::touches_above(self.weight));
