@@ -31,14 +31,12 @@ impl<const N: usize> Table<N> {
         let cell = |k: usize| {
             // At the ends of the cell, and at a third of it from them.
             let [low, high, right] = [-1.0 / 6.0, 1.0 / 6.0, 0.5].map(|by| at(k as f64 + by));
-            let mut cell = [[0.0; 4]; N];
-            for (which, cubic) in cell.iter_mut().enumerate() {
+            let cell = std::array::from_fn(|which| {
                 let [left, low, high, right] = [left, low, high, right].map(|of| of[which]);
                 let square = 2.25 * (left + right - low - high);
                 let cube = 4.5 * (right - left - 3.0 * (high - low));
-                let constant = 0.5 * (low + high) - square / 36.0;
-                *cubic = [constant, right - left - 0.25 * cube, square, cube];
-            }
+                [0.5 * (low + high) - square / 36.0, right - left - 0.25 * cube, square, cube]
+            });
             left = right;
             cell
         };

@@ -74,10 +74,10 @@ impl Binary {
             return None;
         }
         let error = (rest.abs() + rad).next_up();
-        let (lower, upper) = match rest > 0.0 {
-            true => (double, double.next_up()),
-            false => (double.next_down(), double),
-        };
+        // The double next to it on that side, without a branch: which side it is nobody can guess.
+        let bits = double.to_bits();
+        let next = if (rest > 0.0) == (double > 0.0) { bits + 1 } else { bits - 1 };
+        let (lower, upper) = (double.min(f64::from_bits(next)), double.max(f64::from_bits(next)));
         Some((double, Self { lower, upper, error, quad: None }))
     }
 

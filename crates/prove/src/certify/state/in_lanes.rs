@@ -25,32 +25,34 @@ pub type InLanes = (LaneArch, Option<DoubleDoubleBall>);
 pub struct LaneColumns {
     rows: Vec<usize>,
     arches: Vec<LaneArch>,
+    /// Up to the last row that has one.
     thicknesses: Vec<Option<DoubleDoubleBall>>,
 }
 
 impl LaneColumns {
     /// Rows by their weights, in the order of [`SelfWeight::ALL`]: without those of which nothing is known, or whose
     /// thickness is not proved to be one.
-    pub fn by_weight(
-        all: impl ExactSizeIterator<Item = Option<(SelfWeight, InLanes)>>,
-    ) -> [Self; 2] {
-        let (count, mut columns) = (all.len(), <[Self; 2]>::default());
+    pub fn by_weight(all: impl Iterator<Item = Option<(SelfWeight, InLanes)>>) -> [Self; 2] {
+        let mut columns = <[Self; 2]>::default();
         for (row, given) in all.enumerate() {
             let Some((weight, (arch, eta))) = given else { continue };
             if eta.as_ref().is_some_and(|eta| !is_thickness(eta)) {
                 continue;
             }
             let of = &mut columns[weight as usize];
-            if of.rows.is_empty() {
-                of.rows.reserve(count - row);
-                of.arches.reserve(count - row);
-                of.thicknesses.reserve(count - row);
-            }
             of.rows.push(row);
+            if eta.is_some() {
+                of.thicknesses.resize(of.arches.len(), None);
+                of.thicknesses.push(eta);
+            }
             of.arches.push(arch);
-            of.thicknesses.push(eta);
         }
         columns
+    }
+
+    /// The thickness of a row, if it has one.
+    fn thickness(&self, place: usize) -> Option<&DoubleDoubleBall> {
+        self.thicknesses.get(place)?.as_ref()
     }
 }
 
@@ -290,7 +292,7 @@ impl<'a> LaneRows<'a> {
     /// The half opening of a row whose frictions are wanted.
     fn opening(&self, place: usize) -> Option<DoubleDoubleBall> {
         let falls = matches!(self.answers[place].as_ref()?, LaneAnswer::Falls);
-        let is_wanted = match self.given.thicknesses[place] {
+        let is_wanted = match self.given.thickness(place) {
             Some(_) => self.wants.why && falls,
             None => self.wants.frictions[usize::from(falls)],
         };
@@ -299,7 +301,7 @@ impl<'a> LaneRows<'a> {
 
     /// The arch of a row with its thickness.
     fn thick(&self, place: usize) -> Option<(LaneArch, DoubleDoubleBall)> {
-        Some((self.given.arches[place], self.given.thicknesses[place]?))
+        Some((self.given.arches[place], *self.given.thickness(place)?))
     }
 
     /// The arch of a row with a thickness at unlimited friction, unless its own answer says whether the thickness is
@@ -320,7 +322,7 @@ impl<'a> LaneRows<'a> {
         let (answer, friction) = (self.answers[place].as_ref()?, self.given.arches[place].1);
         let frictions = self.frictions.of(place);
         let falling = |sliding| Falling { friction: friction.as_ref(), sliding };
-        match (&self.given.thicknesses[place], answer) {
+        match (self.given.thickness(place), answer) {
             (Some(eta), _) => {
                 let falls = matches!(answer, LaneAnswer::Falls);
                 let sliding = frictions.and_then(|both| both.sliding.as_ref());
