@@ -1,6 +1,6 @@
 //! Proof that one equation has one root in a box, without a branch.
 //!
-//! With a double `m` next to the root, a double `Y` next to `1/F'(m)` and the box `X = m ± rho`,
+//! With a number `m` next to the root, a double `Y` next to `1/F'(m)` and the box `X = m ± rho`,
 //!
 //! ```text
 //! K = m - Y F(m) + (1 - Y F'(X)) (X - m)
@@ -22,6 +22,9 @@ const LEAST_RADIUS: f64 = power_of_two(-90);
 
 /// One equation for a joint or another angle, in what is given.
 pub(super) trait Equation<P: Product, const V: usize> {
+    /// True if the residual loses many digits in doubles: then the last step to the root is one in double-doubles.
+    const FINER: bool = false;
+
     /// The residual `F`, and `V` values that are asked for where it is zero; `number` makes what is given a number.
     fn at<T: Sine<P>>(
         &self,
@@ -57,8 +60,8 @@ pub(super) fn newton<P: Product, const V: usize>(
 
 /// The root next to a candidate, after some steps of Newton's method; `point` is next to it.
 #[inline(always)]
-pub(super) fn root<P: Product, const V: usize>(
-    equation: &impl Equation<P, V>,
+pub(super) fn root<P: Product, const V: usize, E: Equation<P, V>>(
+    equation: &E,
     (start, point): (f64, &SinePoint),
     steps: usize,
 ) -> LaneRoot<P, V> {
@@ -67,8 +70,13 @@ pub(super) fn root<P: Product, const V: usize>(
         (middle, inverse) = newton(equation, middle, point);
     }
     let exact = |x: f64| Long::<P>::exact(x.into());
-    let angle = exact(middle).angle(point);
-    let (residual, values) = equation.at(|x: &Long<P>| *x, &angle);
+    let mut angle = exact(middle).angle(point);
+    let (mut residual, mut all) = equation.at(|x: &Long<P>| *x, &angle);
+    if E::FINER {
+        let next = angle.rad - residual * exact(inverse);
+        angle = Long::<P>::exact(next.mid()).angle(point);
+        (residual, all) = equation.at(|x: &Long<P>| *x, &angle);
+    }
     let step = residual * exact(inverse);
     let radius = INFLATION * step.size() + LEAST_RADIUS;
     let domain = around(&angle, radius);
@@ -77,7 +85,6 @@ pub(super) fn root<P: Product, const V: usize>(
     let rest = Short::exact(1.0) - slope.slopes[0] * Short::exact(inverse);
     let image = (-step).widened((rest * Short::exact(radius)).size());
     let moved = |x: Long<P>, slope: Short| x + slope.in_double_doubles() * image;
-    let mut all = values;
     for (value, with) in all.iter_mut().zip(&slopes) {
         *value = moved(*value, with.slopes[0]);
     }

@@ -5,6 +5,7 @@
 //! rest is that the moment is the one of the weight, `fac_M(eta)`: with it (4) has the thrust `h` too. That is one
 //! equation `F(beta) = 0`, and where it holds, (2), (4) and (5) do. A test has this in exact arithmetic.
 
+use super::asking::{Asking, double};
 use super::margins::{Thinnest, are_positive, in_doubles, of_haunch, of_state, steepest};
 use super::piece::Proof;
 use super::root::{Equation, is_within, known_if, root};
@@ -15,8 +16,9 @@ use crate::arch::contact::{self, Rates};
 use crate::arch::{Configuration, Ring, SelfWeight, overturning, sliding, thrust};
 use crate::number::{Angle, DoubleDoubleBall, Field, Product, SinePoint};
 
-/// Proof of purely rotational states; the frictions that they ask for are enclosed in double-doubles if `EXACTLY`.
-struct Rotation<'a, const EXACTLY: bool> {
+/// Proof of purely rotational states; the frictions that they ask for are enclosed in double-doubles if `EXACTLY`, and
+/// the root is [finer](Equation::FINER) if the half openings are `NARROW`.
+struct Rotation<'a, const EXACTLY: bool, const NARROW: bool> {
     weight: SelfWeight,
     table: &'a Table<2>,
 }
@@ -25,12 +27,22 @@ struct Rotation<'a, const EXACTLY: bool> {
 /// steepest joint ask for.
 pub(super) type Rotating = [DoubleDoubleBall; 6];
 
+/// Below this half opening, rad, the equation has too few digits of the joint in doubles.
+const NARROW: f64 = 0.125;
+
 /// Purely rotational states of half openings.
 pub(super) fn rotating<const EXACTLY: bool>(
     (width, weight): (Width, SelfWeight),
     half_openings: &[[DoubleDoubleBall; 1]],
 ) -> Vec<Option<Rotating>> {
-    width.prove(&Rotation::<EXACTLY> { weight, table: start::rotation(weight) }, half_openings)
+    let table = start::rotation(weight);
+    let mut all = width.prove(&Rotation::<EXACTLY, false> { weight, table }, half_openings);
+    let (mut narrow, all_places) = (Asking::default(), half_openings.iter().enumerate());
+    let is_narrow = |(_, [alpha]): &(usize, &[DoubleDoubleBall; 1])| double(alpha) < NARROW;
+    all_places.filter(is_narrow).for_each(|(place, alpha)| narrow.push(place, *alpha));
+    let proof = || Rotation::<EXACTLY, true> { weight, table };
+    narrow.each(width, proof, |place, _, found| all[place] = Some(found));
+    all
 }
 
 /// Values that (2), (4) and (5) give to a joint.
@@ -56,12 +68,14 @@ fn at_joint<T: Field>(
 }
 
 /// The equation in the joint, for an opening variable.
-struct RotationEquation<P> {
+struct RotationEquation<P, const NARROW: bool> {
     weight: SelfWeight,
     opening_variable: Long<P>,
 }
 
-impl<P: Product> Equation<P, 2> for RotationEquation<P> {
+impl<P: Product, const NARROW: bool> Equation<P, 2> for RotationEquation<P, NARROW> {
+    const FINER: bool = NARROW;
+
     #[inline(always)]
     fn at<T: Sine<P>>(
         &self,
@@ -80,7 +94,7 @@ fn margins<T: Field>(at: &Configuration<T>, rates: &Rates<T>, steepest: &T) -> [
     [rates.shoulder.clone(), at.half_opening.rad.clone() - steepest]
 }
 
-impl<const EXACTLY: bool> Proof<1, 3, 6> for Rotation<'_, EXACTLY> {
+impl<const EXACTLY: bool, const NARROW: bool> Proof<1, 3, 6> for Rotation<'_, EXACTLY, NARROW> {
     #[inline(always)]
     fn candidates(&self, [alpha]: [f64; 1]) -> [f64; 3] {
         let [joint, steepest] = self.table.at(alpha);
@@ -96,7 +110,8 @@ impl<const EXACTLY: bool> Proof<1, 3, 6> for Rotation<'_, EXACTLY> {
         let Self { weight, .. } = *self;
         let half_opening = alpha.angle(&at_alpha);
         let opening_variable = thrust::opening_variable(&half_opening).value();
-        let found = root(&RotationEquation { weight, opening_variable }, (joint, &at_joint), 2);
+        let equation = RotationEquation::<P, NARROW> { weight, opening_variable };
+        let found = root(&equation, (joint, &at_joint), 2);
         let [thickness, thrust] = found.values;
         let unlimited = Long::<P>::exact(f64::INFINITY.into());
         let at = in_doubles(&half_opening, [&thickness, &thrust, &unlimited], found.domain);

@@ -63,8 +63,8 @@ const fn unfilled<T>() -> PerWeight<OnceLock<T>> {
     PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() }
 }
 
-/// The least half opening, rad. Next to it values have too few digits, and below it other equations keep them.
-pub(super) const LEAST: f64 = 0.03125;
+/// The least half opening, rad: below it other equations keep their digits.
+pub(super) const LEAST: f64 = 0.00390625;
 
 /// Half openings of rotation, rad; the last one is next to the end of rotation.
 #[inline(always)]

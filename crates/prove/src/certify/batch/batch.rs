@@ -68,16 +68,7 @@ impl Batch {
             let opening = first.filter(|_| place < shared).and_then(|arch| {
                 SharedOpening::new(arch.weight(), arch.half_opening().clone(), self.digits).ok()
             });
-            threads.each(&groups[place], |&row| {
-                // What rows share needs no arch.
-                let opening = opening.as_ref();
-                let quick = opening.filter(|_| !self.has_frictions());
-                let friction = || arches.in_lanes(row)?.1.0.1;
-                match quick.and_then(|opening| opening.shared(&friction()?)) {
-                    Some(answer) => self.row(Ok(answer), || arches.arch(row).ok()),
-                    None => self.alone(arches.arch(row), opening),
-                }
-            })
+            threads.each(&groups[place], |&row| self.alone(arches.arch(row), opening.as_ref()))
         });
         let found = found.into_iter().flatten();
         groups.iter().flatten().copied().zip(found).collect()

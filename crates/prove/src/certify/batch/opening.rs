@@ -173,7 +173,7 @@ impl SharedOpening {
 
     /// Answer without frictions to the arch of a friction, if it needs no proof of its own: much quicker. None says
     /// nothing.
-    pub(super) fn shared(&self, friction: &DoubleDoubleBall) -> Option<&Answer> {
+    fn shared(&self, friction: &DoubleDoubleBall) -> Option<&Answer> {
         let exceeds = |bound: &DoubleDoubleBall| bound.is_less_than(friction).is_proved();
         let sliding = self.sliding.as_ref()?;
         if friction.is_less_than(sliding).is_proved() {

@@ -235,6 +235,7 @@ struct LaneRows<'a> {
 }
 
 /// Answers to those rows of which something is asked: these alone take room.
+#[derive(Default)]
 struct OfSome<B> {
     places: Vec<Option<usize>>,
     found: Vec<B>,
@@ -251,10 +252,6 @@ impl<B> OfSome<B> {
         Self { places, found: if asked.is_empty() { Vec::new() } else { ask(&asked) } }
     }
 
-    fn none() -> Self {
-        Self { places: Vec::new(), found: Vec::new() }
-    }
-
     fn of(&self, row: usize) -> Option<&B> {
         self.found.get((*self.places.get(row)?)?)
     }
@@ -269,9 +266,9 @@ impl<'a> LaneRows<'a> {
             given,
             wants,
             answers,
-            frictions: OfSome::none(),
-            roots: OfSome::none(),
-            unlimited: OfSome::none(),
+            frictions: OfSome::default(),
+            roots: OfSome::default(),
+            unlimited: OfSome::default(),
         };
         if wants.why || wants.frictions.contains(&true) {
             all.frictions = OfSome::new(all.rows(Self::opening), |of| lanes.frictions(of));
