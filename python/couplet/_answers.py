@@ -394,6 +394,10 @@ class Survey(dict):  # type: ignore[type-arg]
     def __init__(self, told: dict[str, Any]) -> None:
         super().__init__(told)
 
+    def to_dict(self) -> dict[str, Any]:
+        """The same as a dictionary that is no more than one."""
+        return dict(self)
+
     @property
     def verdict(self) -> Literal["stands", "falls", "both", "undecided"]:
         """``'stands'`` if all arches do, ``'falls'`` if none does, ``'both'`` if some do and others do not, or ``'undecided'``."""

@@ -10,14 +10,12 @@ from ._asked import asked, spoken
 from ._core import CoupletError
 from ._exact import is_text, no_text, whole
 from ._kinds import NO_SIDE, NO_WORD, kind_of
-from ._rows import in_pieces
+from ._rows import in_tables
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-    from typing import Any, TypeVar
-
     from ._kinds import Columns
+    from ._types import Any, Iterator, Sequence, TypeVar
 
     Table = TypeVar("Table")
 
@@ -125,48 +123,42 @@ class _Question:
         texts = [name for name in kind.names if isinstance(name, str) and is_text(name)]
         for why in filter(None, map(_core.unanswered, texts)):
             raise CoupletError(spoken(f"{why}; under another name the column is handed on"))
-        columns, cells, refused = self._read(np, kind)
+        columns, refused = self._read(np, kind)
         names = ["verdict", *([] if self.has_thickness else ["mode"])]
         names += [name + end for name in self.quantities for end in ("", "_side")]
         names = [name.join(self.around) for name in (*names, "reason")]
         taken = next((name for name in names if name in kind.names), None)
         if taken is not None:
             raise CoupletError(f"the table has a column '{taken}'; with prefix='…' or suffix='…' the new ones have other names")
-
-        def ask(here: Any) -> Any:
-            return asked(_core.table, self.weight, columns, [_some(column, here) for column in cells], self.quantities, self.threads)
-
         # What is wrong with a name is said though there is no row.
-        ask(slice(0, 0))
+        asked(_core.table, self.weight, list(columns), [[]] * len(columns), self.quantities, 1)
         answers = _Answers(np, kind.size, len(self.quantities))
         for rows, why in refused:
             answers.refuse(rows, why)
         places = (answers.why == NO_WORD).nonzero()[0] if refused else kind.size
-        keys = None if isinstance(cells[0], list) else cells[0]
-        for here, told in in_pieces(np, keys, places, ask):
+        for here, told in in_tables(np, places, (self.weight, columns, self.quantities, self.threads)):
             answers.put(here, told)
         return kind.with_columns(dict(zip(names, answers.columns(kind, not self.has_thickness))))
 
-    def _read(self, np: Any, kind: Columns) -> tuple[list[str], list[Any], list[tuple[Any, str]]]:
-        """The columns as the command has them, ``theirs=ours:deg``; their cells; and the rows that are refused for a cell that is no
-        text, or is empty, with what is said of them."""
-        columns, cells, empty = [], [], []
+    def _read(self, np: Any, kind: Columns) -> tuple[dict[str, Any], list[tuple[Any, str]]]:
+        """The columns by what the command calls them, ``theirs=ours:deg``; and the rows that are refused for a cell that is no text, or
+        is empty, with what is said of them."""
+        columns, empty = {}, []
         no_texts: dict[int, str] = {}
         for role, text in self.roles.items():
             name, unit = _column(kind.names, text)
             column, present = kind.cells(name)
             if len(column) != kind.size:
                 raise CoupletError(f"the column '{name}' has {len(column)} rows, where others have {kind.size}")
-            columns.append(f"{name}={role}{unit}")
             if isinstance(column, list) and not is_text("\n".join(column)):
                 for row in [row for row, text in enumerate(column) if not is_text(text)]:
                     no_texts.setdefault(row, no_text(column[row]))
                     column[row] = ""
-            cells.append(column)
+            columns[f"{name}={role}{unit}"] = column
             # A weight that is not there is the usual one.
             if present is not None and role != "weight":
                 empty.append(((~present).nonzero()[0], f"the {role.replace('given_', '')} is empty"))
-        return columns, cells, [*((np.array([row]), why) for row, why in no_texts.items()), *empty]
+        return columns, [*((np.array([row]), why) for row, why in no_texts.items()), *empty]
 
 
 class _Answers:
@@ -221,10 +213,3 @@ def _column(names: Sequence[Any], text: str) -> tuple[str, str]:
     if list(names).count(column) > 1:
         raise CoupletError(f"the table has two columns '{column}'")
     return column, unit
-
-
-def _some(cells: Any, here: Any) -> Any:
-    """The cells of some rows, as what is compiled takes them."""
-    if not isinstance(cells, list):
-        return cells[here].tobytes()
-    return cells[here] if isinstance(here, slice) else [cells[row] for row in here.tolist()]

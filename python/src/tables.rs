@@ -1,6 +1,6 @@
 //! The rows of a table: doubles or exact texts in each column, read as `couplet states` reads those of a file.
 
-use crate::asked::{warn, wrong};
+use crate::asked::wrong;
 use crate::pool::{is_short, on_threads};
 use bytemuck::{cast_slice, pod_collect_to_vec};
 use couplet::arch::SelfWeight;
@@ -40,6 +40,9 @@ type Bytes<'py> = Bound<'py, PyBytes>;
 /// the rows without a verdict.
 type Answered<'py> = (Bytes<'py>, Bytes<'py>, Vec<Vec<Bytes<'py>>>, Vec<(usize, String)>);
 
+/// An answer behind a note on what may have been meant otherwise, of which whoever asks for it in pieces warns once.
+pub(crate) type Noted<T> = (Option<String>, T);
+
 /// The quantities of these names, of those that arches with or without a thickness have.
 fn quantities(names: &[String], has_thickness: bool) -> PyResult<Vec<Quantity>> {
     let possible =
@@ -57,20 +60,21 @@ pub(crate) fn table<'py>(
     cells: Vec<Column>,
     names: Vec<String>,
     threads: usize,
-) -> PyResult<Answered<'py>> {
+) -> PyResult<Noted<Answered<'py>>> {
     let weight = parse::weight(weight).map_err(wrong)?;
     let columns = Columns::named(&columns, Purpose::Ask).map_err(wrong)?;
     let quantities = quantities(&names, columns.has(Field::Thickness))?;
     let is_short = is_short(cells.first().map_or(0, Column::len), &quantities);
     let table = Table { columns, cells, weight };
-    warn(py, table.note())?;
+    let note = table.note();
     let answer = move || table.answers(&quantities);
     let found = if is_short { py.detach(answer) } else { on_threads(py, threads, answer)? };
     let found = found.map_err(wrong)?;
     let bytes = |column: &Vec<f64>| PyBytes::new(py, cast_slice(column));
     let values = found.values.iter().map(|columns| columns.iter().map(bytes).collect()).collect();
     let (verdicts, modes) = (found.verdict_codes(), PyBytes::new(py, &found.modes));
-    Ok((PyBytes::new(py, &verdicts), modes, values, found.reasons.into_iter().collect()))
+    let reasons = found.reasons.into_iter().collect();
+    Ok((note, (PyBytes::new(py, &verdicts), modes, values, reasons)))
 }
 
 /// Why a column asks what no row of a table is asked; nothing of other names.

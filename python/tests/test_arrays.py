@@ -1,5 +1,6 @@
 """Many arches at once."""
 
+import warnings
 from fractions import Fraction
 
 import pytest
@@ -189,6 +190,35 @@ def test_progress():
     assert told[-1] == (600, 600) and len(told) > 1
     pytest.importorskip("tqdm")
     couplet.states(1.0, [0.5, 0.6], progress=True)
+
+
+def test_a_note_is_given_once_a_call():
+    # More rows than a piece has, each with a friction of its own.
+    mu, note = np.linspace(5, 50, 1500), "frictions above 4 are coefficients"
+    frame = {"half_opening": ["1"] * len(mu), "friction": [str(friction) for friction in mu.tolist()]}
+    for question, words in [
+        (lambda: couplet.states(1.3, mu), note),
+        (lambda: couplet.states_columns(1.3, mu, 0.1), note),
+        (lambda: couplet.finds("half_opening", friction=mu), "the friction 5 is a coefficient"),
+        (lambda: couplet.add_states({"half_opening": np.full(len(mu), 1.3), "friction": mu}), note),
+        (lambda: couplet.add_states(frame), "the friction 5.0 is a coefficient"),
+    ]:
+        with warnings.catch_warnings(record=True) as warned:
+            warnings.simplefilter("always")
+            question()
+        assert [warning.filename for warning in warned] == [__file__] and str(warned[0].message).startswith(words)
+
+
+def test_why_rows_have_no_verdict():
+    grid = couplet.states([[1.0], [4.0]], [0.5, -1.0])
+    assert couplet.reasons(grid, [[1.0], [4.0]], [0.5, -1.0]) == {
+        (0, 1): "the friction -1 is negative",
+        (1, 0): "the half opening 4 is not between 0 and pi (180deg); did you mean 4deg?",
+        (1, 1): "the half opening 4 is not between 0 and pi (180deg); did you mean 4deg?",
+    }
+    assert couplet.reasons(couplet.states(1.0, [0.5, -0.1], 0.1), 1.0, [0.5, -0.1], 0.1) == {1: "the friction -0.1 is negative"}
+    with pytest.raises(couplet.CoupletError, match=r"the answers have the shape \(2, 2\), and the questions \(2,\)"):
+        couplet.reasons(grid, [1.0, 4.0], 0.5)
 
 
 def test_what_is_found_over_arrays():
