@@ -5,8 +5,8 @@ from __future__ import annotations
 from contextlib import contextmanager
 
 from . import _core
-from ._arches import target_of
-from ._asked import asked, spoken, words
+from ._arches import assess, state, target_of
+from ._asked import asked, words
 from ._core import CoupletError
 from ._exact import exact, whole
 from ._named import Batch, named
@@ -43,14 +43,12 @@ def states(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unp
         progress: True for a bar, if tqdm is installed; or what is called with the rows done and all rows.
 
     Returns: an array of the common shape with the fields
-        verdict: a couplet.Verdict, and a place in couplet.VERDICTS: 0 stands (an admissible symmetric state exists, which with friction does not
-            exclude an asymmetric mechanism), 1 falls, 2 undecided, 3 refused.
+        verdict: a couplet.Verdict, and a place in couplet.VERDICTS: 0 stands (an admissible symmetric state exists, which with friction
+            does not exclude an asymmetric mechanism), 1 falls, 2 undecided, 3 refused; of the last two ``reasons`` tells why.
         mode: a couplet.Mode, and a place in couplet.MODES, how it collapses at its least thickness; 255 where there is none.
-        and for each quantity NAME, NAME_lower, NAME_upper: the double nearest to the true value, correctly rounded, and
-        doubles not above and not below it. Not a number where there is no such value, or it is undecided: an arch that
-        falls at every thickness has a sliding_friction, with which it would not slide, and nothing else, so that its
-        rotational_friction is not a number.
-        ``reasons`` tells why of the rows that have no verdict.
+        and for each quantity NAME, NAME_lower, NAME_upper: the double nearest to the true value, correctly rounded, and doubles not
+        above and not below it. Not a number where there is no such value, or it is undecided: an arch that falls at every thickness
+        has a sliding_friction, with which it would not slide, and nothing else.
 
     Raises: CoupletError if the arrays are not of doubles, do not fit each other, or a name is unknown.
 
@@ -67,19 +65,15 @@ def states(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unp
 
 @named(Batch)
 def states_columns(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unpack[Batch]) -> dict[str, np.ndarray[Any, Any]]:
-    """The same as ``states`` as columns, with what was asked: a dictionary of flat arrays.
-
-    ``pandas.DataFrame(...)``, ``polars.DataFrame(...)`` and ``pyarrow.table(...)`` take it as it is. The first columns are
-    half_opening, friction and, where it is given, given_thickness.
-    """
+    """The same as ``states`` as columns, a dictionary of flat arrays, as pandas, polars and pyarrow take it: half_opening, friction, where
+    it is given given_thickness, and the fields of ``states``."""
     return _Rows((half_opening, friction, thickness), **batch).columns()
 
 
 @named(Batch)
 def states_frame(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unpack[Batch]) -> Any:
     """The same as ``states_columns`` as a ``pandas.DataFrame`` for people: ``verdict`` and ``mode`` are categories, words that pandas
-    counts and filters by, and ``reason`` says why a row is refused or undecided. It needs pandas. ``states_frame(…)["mode"].value_counts()`` counts modes.
-    """
+    counts and filters by, and ``reason`` says why a row is refused or undecided. It needs pandas."""
     import pandas  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
     rows = _Rows((half_opening, friction, thickness), **batch)
@@ -111,9 +105,8 @@ def finds(
     """The questions of ``find`` over arrays of doubles, each answered with its proof, as a structured array.
 
     Args:
-        what, modes, weight: as for ``find``.
+        what, modes, weight: as for ``find``. threads, progress: as for ``states``.
         half_opening, friction, thickness: arrays of doubles that are broadcast against each other, as far as the question has them.
-        threads, progress: as for ``states``.
 
     Returns: an array of the common shape with the fields
         verdict: 0 found, 1 nothing (proved), 2 undecided, 3 refused: a place in couplet.FOUND.
@@ -170,7 +163,7 @@ def reasons(
         raise CoupletError(f"the answers have the shape {found.shape}, and the questions {rows.shape}")
     why = rows.reasons(found["verdict"].reshape(-1))
     if found.ndim == 1:
-        return dict(why)
+        return why
     return {tuple(map(int, rows.np.unravel_index(row, rows.shape))): reason for row, reason in why.items()}
 
 
@@ -227,9 +220,15 @@ class _Rows:
 
     def reasons(self, codes: Any) -> dict[int, str]:
         """The reasons of the rows that have no verdict, of which these are the codes."""
-        bad = (codes >= VERDICTS.index("undecided")).nonzero()[0]
-        pieces = in_tables(self.np, bad, self.question)
-        return {int(places[row]): spoken(why) for places, (*_, reasons) in pieces for row, why in reasons}
+        why = {}
+        for row in (codes >= VERDICTS.index("undecided")).nonzero()[0].tolist():
+            arch: Any = [float(array[row]) for array in self.asked.values()]
+            try:
+                answer = (assess if len(arch) > 2 else state)(*arch, weight=self.question[0], digits=17)
+                why[row] = answer.reason or "it is undecided in doubles"
+            except CoupletError as error:
+                why[row] = str(error)
+        return why
 
 
 def _flat(np: Any, given: dict[str, Any]) -> tuple[Any, dict[str, Any]]:

@@ -30,6 +30,13 @@ def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         raise type(error)(said) from None
 
 
+def of_json(text: str | bytes) -> Any:
+    """What a text says in JSON, whose reader is imported by the first."""
+    import json
+
+    return json.loads(text)
+
+
 def warn(note: str) -> None:
     """Warns, where the package was called, of what may have been meant otherwise."""
     import sys

@@ -15,7 +15,7 @@ from ._exact import exact, no_text, of_numpy, text_of, whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from ._types import Any
 
 _PROGRAM = "import sys; sys.path.insert(0, {!r}); from couplet.__main__ import main; sys.exit(main())"
 _NAME = "couplet: "

@@ -49,7 +49,7 @@ def add_states(
         data: a ``DataFrame`` of pandas or polars, a ``LazyFrame``, a ``Table``, ``RecordBatch`` or ``RecordBatchReader`` of pyarrow, a
             dictionary of arrays; anything else that speaks Arrow's C interface, which becomes a ``pyarrow.Table``.
         half_opening: its column, in radians, or with its unit: 'alpha_deg:deg'.
-        friction: the column of coefficients, 'friction' if neither it nor the other is given. friction_angle: of angles, as the half opening.
+        friction, friction_angle: the column of coefficients, 'friction' if neither is given; or of angles, as the half opening.
         thickness: the column of thicknesses, t/r; then each row is asked whether it stands with it.
         weight: the model of self-weight, 'heyman' or 'milankovitch', or the column that names it (where that is empty: milankovitch).
         quantities: as for ``states``.
@@ -57,20 +57,15 @@ def add_states(
         threads: threads to compute with: 1 where an engine has the others; 0 for one on each core.
 
     Returns: the same kind of table with the columns
-        verdict: stands, falls, undecided or refused.
+        verdict: stands, falls, undecided or refused; reason: why it is one of the last two.
         mode: how it collapses at its least thickness (not where a thickness is given).
         and for each quantity NAME, the double nearest to the true value, and NAME_side, where that lies: -1 below the double, 0 on it,
         1 above it; nothing where there is no such value.
-        reason: why it is undecided or refused.
         Words are categories of pandas, an Enum of polars and texts of Arrow. A dictionary of arrays has codes, places in
         couplet.VERDICTS and couplet.MODES, and for nothing 255, a side of -128 and what is not a number.
 
     Raises: CoupletError if there is no such column, it has no numbers, or the table has one of a new name or one that no row is asked
         (tilt, stones, joints); TypeError if it is no table.
-
-        >>> table = couplet.add_states({"alpha_deg": [80.0, 140.0], "mu": [0.25, 0.25]}, half_opening="alpha_deg:deg", friction="mu")
-        >>> list(table), table["verdict"].tolist(), float(table["thickness"][0])
-        (['alpha_deg', 'mu', 'verdict', 'mode', 'thickness', 'thickness_side', 'reason'], [0, 1], 0.10643650640572254)
     """
     need_numpy()
     given = {"half_opening": half_opening, "friction": friction, "friction_angle": friction_angle, "given_thickness": thickness}

@@ -9,8 +9,7 @@ from ._exact import exact, listed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from typing import Any, Optional
+    from ._types import Any, Mapping, Optional, Sequence
 
     #: Doubles as an array or exact texts, and which of the cells have a value; None if all have.
     Cells = tuple[Any, Optional[Any]]

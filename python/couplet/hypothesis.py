@@ -23,11 +23,9 @@ import couplet
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
-
     from hypothesis.strategies import DrawFn, SearchStrategy
 
-    from couplet._named import Landmark
+    from ._types import Any, Landmark
 
 __all__ = ["arches", "arches_of_stones", "frictions", "half_openings", "thicknesses"]
 

@@ -209,18 +209,6 @@ def test_a_note_is_given_once_a_call():
         assert [warning.filename for warning in warned] == [__file__] and str(warned[0].message).startswith(words)
 
 
-def test_why_rows_have_no_verdict():
-    grid = couplet.states([[1.0], [4.0]], [0.5, -1.0])
-    assert couplet.reasons(grid, [[1.0], [4.0]], [0.5, -1.0]) == {
-        (0, 1): "the friction -1 is negative",
-        (1, 0): "the half opening 4 is not between 0 and pi (180deg); did you mean 4deg?",
-        (1, 1): "the half opening 4 is not between 0 and pi (180deg); did you mean 4deg?",
-    }
-    assert couplet.reasons(couplet.states(1.0, [0.5, -0.1], 0.1), 1.0, [0.5, -0.1], 0.1) == {1: "the friction -0.1 is negative"}
-    with pytest.raises(couplet.CoupletError, match=r"the answers have the shape \(2, 2\), and the questions \(2,\)"):
-        couplet.reasons(grid, [1.0, 4.0], 0.5)
-
-
 def test_what_is_found_over_arrays():
     mu, eta = np.array([0.3, 0.5, np.inf]), np.array([0.001, 0.2])
     found = couplet.finds("half_opening", friction=mu[None, :], thickness=eta[:, None])
