@@ -303,8 +303,8 @@ class _Question:
 
 def _with_nothing(said: dict[str, Any]) -> dict[str, Any]:
     """What is said of stones or a tilt, and nothing of what else is said of any arch."""
-    lists: dict[str, Any] = {"open": [], "modes": [], "enough": {}, "between": []}
-    return {**said, **lists, **dict.fromkeys(("gap", "can_stand", "stands")), "measured_at": said.get("measured_at")}
+    nothing = dict.fromkeys(("gap", "can_stand", "stands", "measured_at", "stones", "joints", "assessment"))
+    return {**nothing, **said, "open": [], "modes": [], "enough": {}, "between": []}
 
 
 def _stones_told(given: Any, said: dict[str, Any], values: list[dict[str, Any]]) -> Voussoirs:
@@ -312,8 +312,8 @@ def _stones_told(given: Any, said: dict[str, Any], values: list[dict[str, Any]])
     stones, outcome, assessed = said.get("stones"), said["outcome"], said.pop("assessment", None)
     if stones is not None:
         given = tuple((name, stones if isinstance(value, range) else value) for name, value in given)
-    told = {**_with_nothing(said), "stones": stones, "joints": said.get("joints"), "values": values[0], "assessment": None}
-    told |= {"status": "undecided" if outcome == "undecided" else "proved", "modes": [said["mode"]] if said["mode"] else []}
+    told = {**_with_nothing(said), "values": values[0], "modes": [said["mode"]] if said["mode"] else []}
+    told["status"] = "undecided" if outcome == "undecided" else "proved"
     told["can_stand"] = {"stands": True, "any_thickness": True, "undecided": None}.get(outcome, False)
     told["reason"] = said["reason"] or (outcome if told["can_stand"] is False else None)
     if assessed is not None:

@@ -186,13 +186,13 @@ class _Answers:
 
     def columns(self, kind: Columns, have_modes: bool) -> Iterator[Any]:
         """The columns, as a kind of tables has them."""
-        yield kind.words(self.verdicts, VERDICTS)
+        yield kind.column(self.verdicts, NO_WORD, VERDICTS)
         if have_modes:
-            yield kind.words(self.modes, _core.modes())
+            yield kind.column(self.modes, NO_WORD, _core.modes())
         for numbers, sides in self.values:
-            yield kind.numbers(numbers)
-            yield kind.sides(sides)
-        yield kind.texts(self.why, list(self.reasons))
+            yield kind.column(numbers)
+            yield kind.column(sides, NO_SIDE)
+        yield kind.column(self.why, NO_WORD, list(self.reasons), are_few=False)
 
 
 def _column(names: Sequence[Any], text: str) -> tuple[str, str]:

@@ -26,13 +26,8 @@ _PAIRS = 256
 def in_tables(
     np: Any, rows: Any, question: tuple[str, dict[str, Any], list[str], int], tell: Callable[[int], object] = lambda done: None
 ) -> Iterator[tuple[Any, Any]]:
-    """The answers of a table, of some rows at a time, with the places of these.
-
-    Args:
-        question: the model of self-weight of all; the columns, doubles or exact texts, by what the command calls each,
-            ``theirs=ours:deg``; the quantities; and the threads.
-        rows, tell: as for ``in_pieces``.
-    """
+    """The answers of a table, of some rows at a time. The question: the model of self-weight, the columns, doubles or exact texts, by what
+    the command calls each, ``theirs=ours:deg``, the quantities, the threads."""
     weight, columns, quantities, threads = question
     names, cells = list(columns), list(columns.values())
 

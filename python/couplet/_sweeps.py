@@ -172,20 +172,24 @@ def _engine(engine: Any) -> Engine:
 
 
 def _threads(folder: str, base: str, parts: list[int], workers: int) -> Iterator[Done]:
-    from concurrent.futures import ThreadPoolExecutor, as_completed
+    from concurrent.futures import ThreadPoolExecutor
 
     workers = workers or os.cpu_count() or 1
-    pool = ThreadPoolExecutor(workers)
+    yield from _in_pool(ThreadPoolExecutor(workers), partial(_part, folder, base, workers), parts)
+
+
+def _in_pool(pool: Any, ask: Callable[[int], Done], parts: Iterable[int]) -> Iterator[Done]:
+    from concurrent.futures import as_completed
+
     try:
-        futures = [pool.submit(_part, folder, base, workers, part) for part in parts]
-        for future in as_completed(futures):
+        for future in as_completed([pool.submit(ask, part) for part in parts]):
             yield future.result()
     finally:
         pool.shutdown(cancel_futures=True)
 
 
 def _processes(folder: str, base: str, parts: list[int], workers: int) -> Iterator[Done]:
-    from concurrent.futures import ProcessPoolExecutor, as_completed
+    from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
     from multiprocessing import get_context
 
@@ -193,9 +197,7 @@ def _processes(folder: str, base: str, parts: list[int], workers: int) -> Iterat
     while left:
         pool = ProcessPoolExecutor(workers or None, get_context("spawn"), _end_with_the_driver)
         try:
-            futures = [pool.submit(_part, folder, base, 1, part) for part in left]
-            for future in as_completed(futures):
-                done = future.result()
+            for done in _in_pool(pool, partial(_part, folder, base, 1), left):
                 del left[done[0]]
                 yield done
         except BrokenProcessPool:
@@ -203,8 +205,6 @@ def _processes(folder: str, base: str, parts: list[int], workers: int) -> Iterat
             tries += 1
             if tries == _TRIES:
                 raise
-        finally:
-            pool.shutdown(cancel_futures=True)
 
 
 def _end_with_the_driver() -> None:
