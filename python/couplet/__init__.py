@@ -65,8 +65,7 @@ def constants(
     """The constants of a landmark, each proved to exist, to be unique in a box, and to have the digits shown.
 
     Args:
-        landmark: symbol or name: T triple, S shift, J junction, B border, l rotation-end, L overturning-end, sb
-            widest-joint.
+        landmark: symbol or name: T triple, S shift, J junction, B border, l rotation-end, L overturning-end, sb widest-joint.
         weight: the model of self-weight, 'heyman' or 'milankovitch'.
         digits: significant digits, 1 to 1,000,000.
         quantities: only these ('thickness', 'friction', ...); all if none is named.

@@ -123,8 +123,7 @@ class _OfArch(Answer):
     can_stand = Told["bool | None"]("Whether the arch stands at some thickness; None if that is not asked or undecided.")
 
     def svg(self) -> str | None:
-        """A picture of the arch with its lines of thrust, and how it falls, as SVG; None where there is nothing to
-        draw. It is proved anew for this."""
+        """A picture of the arch with its lines of thrust, and how it falls, as SVG, proved anew; None where there is nothing to draw."""
         words = ["draw", *options({**texts_of(self.given)[0], "weight": self.weight})]
         code, written, _ = _core.command([*words, "--format=svg"], 1)
         # There is none of joints that are no stones of one angle, and of more than 500 stones.
@@ -137,8 +136,7 @@ class _OfArch(Answer):
 class State(_OfArch):
     """An arch at its least thickness. ``verdict`` is ``'stands'``, ``'falls'`` or ``'undecided'``.
 
-    Lengths are in units of the radius r of the centreline, forces in units of w r, angles in radians from the crown. A value
-    that there is not is None.
+    Lengths are in units of the radius r of the centreline, forces of w r, angles in radians from the crown; what there is not is None.
     """
 
     __slots__ = ()
@@ -200,8 +198,7 @@ def _bounds(said: dict[str, str] | None) -> tuple[str, str] | None:
 
 
 class Voussoirs(State):
-    """An arch of stones at its least thickness, with joints between them alone; with a thickness also that arch, in
-    ``assessment``."""
+    """An arch of stones at its least thickness, with joints between them alone; with a thickness also that arch, in ``assessment``."""
 
     __slots__ = ()
     _more: tuple[str, ...] = (*State._more, "stones", "joints", "contacts", "loss", "relative_loss", "may_move", "assessment")
@@ -280,8 +277,7 @@ class Found(Answer):
 
 
 class Constants(Answer):
-    """The constants of a landmark, by the name of their quantity or its letter: a mapping. ``verdict`` is ``'proved'`` or
-    ``'undecided'``."""
+    """The constants of a landmark: a mapping of names or letters of quantities. ``verdict`` is ``'proved'`` or ``'undecided'``."""
 
     __slots__ = ()
     _more: tuple[str, ...] = ("landmark", "weight")
@@ -347,14 +343,11 @@ class Checked(Answer):
 
 
 class Decision:
-    """A claim of the paper and what became of it.
-
-    Attributes: ``id``, ``place``, ``statement``; ``verdict`` (``'proved'``, ``'refuted'`` or ``'undecided'``), ``reason``; ``as_printed``
-    (``'proved'``, ``'equality'``, ``'measured'``, ``'refuted'``, ``'not stated'``, ``'undecided'``); ``counterexample`` and
-    ``corrected`` of a misprint; ``equal``, ``holds_with``, ``fails_with``; ``hypotheses``, ``method``; ``argument``
-    (``'own'`` or ``'beneath'``: an argument in words carries it, or a claim that it uses; ``None``: neither); ``derivation`` (its
-    steps), ``seconds``, which ``==`` leaves out.
-    """
+    """A claim of the paper and what became of it: ``id``, ``place``, ``statement``; ``verdict`` (``'proved'``, ``'refuted'`` or
+    ``'undecided'``), ``reason``; ``as_printed`` (``'proved'``, ``'equality'``, ``'measured'``, ``'refuted'``, ``'not stated'``,
+    ``'undecided'``); ``counterexample`` and ``corrected`` of a misprint; ``equal``, ``holds_with``, ``fails_with``; ``hypotheses``,
+    ``method``; ``argument`` (``'own'`` or ``'beneath'``: an argument in words carries it, or a claim that it uses; ``None``: neither);
+    ``derivation`` (its steps), ``seconds``, which ``==`` leaves out."""
 
     def __init__(self, told: dict[str, Any]) -> None:
         self.__dict__.update(told)
@@ -385,7 +378,7 @@ class Survey(dict):  # type: ignore[type-arg]
         super().__init__(told)
 
     def to_dict(self) -> dict[str, Any]:
-        """The same as a dictionary that is no more than one."""
+        """The same as a plain dictionary, for ``json.dumps``."""
         return dict(self)
 
     @property

@@ -45,8 +45,7 @@ def state(half_opening: Range | None = None, friction: Range | None = None, *, f
         friction_angle: the angle instead of the coefficient ('21deg').
         stones: how many stones of one angle the arch has, with joints between them alone: the answer is one of ``voussoirs``.
         joints: the angles of its joints instead, from the crown to the shoulder.
-        span, rise, radius: any two, or one with the half opening, as text with a unit ('10m', '60cm', '33ft'); sizes are then
-            told in metres.
+        span, rise, radius: any two, or one with the half opening, with a unit ('10m', '60cm', '33ft'); sizes are then told in metres.
         measured_at: the circle at which these are measured, 'intrados' if it is not given, 'centreline' or 'extrados'.
         density, depth: of the material ('2400kg/m3', '24kN/m3') and across the span; forces are then told in kN.
         thickness, tilt: not here: see ``assess`` and ``tilt``.
@@ -228,10 +227,8 @@ def certify(*, half_opening: Range | None = None, friction: Range, **arch: Unpac
 def certify(*, half_opening: Range | None = None, friction_angle: Range, **arch: Unpack[Certifiable]) -> str: ...
 @named(Beside, Certifiable)
 def certify(landmark: str | None = None, *, half_opening: Range | None = None, friction: Range | None = None, **arch: Any) -> str:
-    """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``); an
-    UndecidedError if the proof does not succeed.
-
-    With ranges, as of ``assess``, it is of the verdict on all arches inside (``couplet.survey-certificate/1``).
+    """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``); with ranges, as of ``assess``,
+    of the verdict on all arches inside (``couplet.survey-certificate/1``); an UndecidedError if the proof does not succeed.
 
     Args:
         landmark: of a landmark; or

@@ -26,9 +26,9 @@ ASKED = ("half_opening", "friction", "given_thickness")
 def states(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unpack[Batch]) -> np.ndarray[Any, Any]:
     """The states of many arches, each proved, as a structured array. A double is exactly the number that it is.
 
-    The arrays are broadcast against each other: ``states(alpha[:, None], mu[None, :])`` is a grid. Rows of one half opening
-    share its proofs, wherever they stand, and no bit depends on that. A bad row is a row, with the verdict 3; the
-    others are answered. The interpreter lock is released, and Ctrl-C stops it within a second or so.
+    The arrays are broadcast against each other: ``states(alpha[:, None], mu[None, :])`` is a grid. Rows of one half opening share its
+    proofs, wherever they stand, and no bit depends on that. A bad row is a row, with the verdict 3; the others are answered. The
+    interpreter lock is released, and Ctrl-C stops it within a second or so.
 
     Args:
         half_opening: rad, between 0 and pi: an array of numbers, or anything that NumPy reads without a change.

@@ -24,8 +24,7 @@ _DECIMALS = ("tolerance", "amplitude")
 
 
 class Done:
-    """What a command did: its exit code, what it wrote, what it says went wrong, and the other lines that it said; its notes are
-    warnings."""
+    """What a command did: its exit code, what it wrote, what it says went wrong, and the other lines that it said; notes are warnings."""
 
     def __init__(self, code: int, output: bytes, said: list[str]) -> None:
         self.code, self.output = code, output

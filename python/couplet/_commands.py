@@ -156,8 +156,7 @@ class Curve:
         widest_tube: the largest half-width.
         columns: a dictionary of arrays, which pandas, polars and pyarrow take: ``parameter``, of each coordinate NAME_lower and
             NAME_upper (``half_opening``, ``friction``, ``friction_angle``, ``thickness``, ``thrust``, ``rotation_joint``, ``sliding_joint``;
-            not a number where there is none), value and slope of the cubic NAME_node and NAME_rate, ``tube`` and ``proved`` of the
-            piece that begins there.
+            not a number where there is none), value and slope of the cubic NAME_node and NAME_rate, ``tube`` and ``proved`` of its piece.
     """
 
     __slots__ = ("name", "weight", "parameter", "ends", "gaps", "widest_tube", "columns")
@@ -251,20 +250,16 @@ def judge(
     accept: int | None = None,
     threads: int = 0,
 ) -> Judged:
-    """Judges somebody else's results: each row against the certified state of its arch. It runs the command in a process of its own,
-    which an interrupt ends.
+    """Judges somebody else's results, each row against the certified state of its arch, in a process of its own, which an interrupt ends.
 
     Args:
         rows: a frame of pandas or polars, a table of Arrow, a dictionary of columns, a list of dictionaries, or the path of a file.
-            The columns are ``half_opening`` and ``friction``, perhaps ``weight``, and what is claimed: ``thickness``, ``mode``, ``can_stand``,
-            ``thrust``, …; with ``given_thickness`` also ``stands``, ``geometric_safety``, …. Verdicts and modes may be the
-            codes of ``states``.
-        columns: other names, {"alpha_deg": "half_opening:deg", "t": "thickness"}, or as the command has them, ["t=thickness"]; then
-            only these are read.
+            The columns are ``half_opening`` and ``friction``, perhaps ``weight``, and what is claimed: ``thickness``, ``mode``,
+            ``can_stand``, ``thrust``, …; with ``given_thickness`` also ``stands``, ``geometric_safety``, …; codes as of ``states`` too.
+        columns: other names, {"alpha_deg": "half_opening:deg", "t": "thickness"}, or ["t=thickness"]; then only these are read.
         keep: columns that are handed on to each row, or 'all' that are not read.
         weight: the model of self-weight of rows that have none; 'milankovitch' if it is not given.
-        inputs: half openings and frictions are 'exact', what is written, which is usual for a file; or 'double', the nearest double to
-            it, as a frame has doubles.
+        inputs: half openings and frictions are 'exact', what is written (usual of a file), or 'double', the double next to it (of a frame).
         accept: correct digits that every number of an accepted row must have.
         threads: threads to compute with; 0 for one on each core.
 
@@ -352,14 +347,13 @@ def sample(count: int = 100, *, hard: bool = False, assemblies: bool = False, se
 
 
 def audit(*, only: Landmark | LandmarkName | Sequence[Landmark | LandmarkName] | None = None, weight: str = "both") -> dict[str, Any]:
-    """Every number the paper prints, and its claims on the two weights, against certified values: ``couplet.audit/2``; an
-    UndecidedError if something is not proved.
+    """Every number the paper prints, and its claims on the weights, against certified values; an UndecidedError if one is not proved.
 
     Args:
         only: the numbers of these landmarks alone.
         weight: 'heyman', 'milankovitch' or 'both'.
 
-    Returns: a dictionary with ``printed``, a list of numbers with their verdicts, and ``comparisons``.
+    Returns: a dictionary (``couplet.audit/2``) with ``printed``, a list of numbers with their verdicts, and ``comparisons``.
 
         >>> [number["verdict"] for number in couplet.audit(only="T", weight="heyman")["printed"]][:3]
         ['wrong', 'faithful', 'correctly rounded']
@@ -386,8 +380,7 @@ def equation(number: int, *, half_opening: Exact | None = None, **values: Unpack
 
 @named(Values)
 def states_of(friction: Exact | None = None, **values: Unpack[Values]) -> dict[str, Any]:
-    """All states that have one value, whatever their half opening: ``couplet.states_of/1``, with both branches of (9) to (11);
-    an UndecidedError if something is not proved.
+    """All states with one value, on both branches of (9) to (11): ``couplet.states_of/1``; an UndecidedError if one is not proved.
 
     Args:
         friction: as for ``state``; unlimited if it is not given.
@@ -400,8 +393,8 @@ def states_of(friction: Exact | None = None, **values: Unpack[Values]) -> dict[s
 
 
 class Ran:
-    """What a scene has made: ``outputs``, the paths of the files that were written or kept, in its ``folder``; ``text``, what has no file;
-    ``undecided``, what was not proved, or None."""
+    """What a scene has made: ``outputs``, paths of files written or kept, in its ``folder``; ``text``, what has no file; ``undecided``, what
+    was not proved, or None."""
 
     __slots__ = ("folder", "outputs", "text", "undecided")
 
@@ -419,8 +412,7 @@ class Ran:
 def run(
     scene: str | os.PathLike[str] | Mapping[str, Any], output: str | os.PathLike[str] = "", *, resume: bool = False, overwrite: bool = False
 ) -> Ran:
-    """Computes what a scene asks for, and writes it (``couplet run --schema`` shows every key), in a process of its own, which an
-    interrupt ends with what it had begun to write.
+    """Computes and writes what a scene asks for (``couplet run --schema`` shows every key), in a process that an interrupt ends.
 
     Args:
         scene: the path of a scene (TOML), or its keys as a dictionary, of which a float is the double that it is.

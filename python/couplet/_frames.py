@@ -136,8 +136,7 @@ class _Question:
         return kind.with_columns(dict(zip(names, answers.columns(kind, not self.has_thickness))))
 
     def _read(self, np: Any, kind: Columns) -> tuple[dict[str, Any], list[tuple[Any, str]]]:
-        """The columns by what the command calls them, ``theirs=ours:deg``; and the rows that are refused for a cell that is no text, or
-        is empty, with what is said of them."""
+        """The columns by what the command calls them; and the rows that are refused, for a cell that is empty or no text, with reasons."""
         columns, empty = {}, []
         no_texts: dict[int, str] = {}
         for role, text in self.roles.items():

@@ -9,8 +9,8 @@
         mine = my_solver(arch["half_opening"], arch["friction"])
         ...
 
-An arch is a dictionary of keywords of ``couplet.state``, or of ``assess`` or ``voussoirs``. Its numbers are exact texts, or doubles. A failing
-arch is made simple, with few digits.
+An arch is a dictionary of keywords of ``couplet.state``, ``assess`` or ``voussoirs``. Its numbers are exact texts, or doubles. A failing
+arch is made simple, with few digits. Of strategies with ``hard`` True draws hard ones alone, False none.
 """
 
 from __future__ import annotations
@@ -35,8 +35,7 @@ _SHARED = st.integers(3, 40)
 
 
 def half_openings(hard: bool | None = None) -> SearchStrategy[str]:
-    """Half openings as exact texts: ordinary decimals from 0.01 to 3.14; hard ones (``hard=True`` alone, False: none): tiny, next to
-    half a turn, exact fractions of pi."""
+    """Half openings as exact texts: ordinary decimals from 0.01 to 3.14; hard ones: tiny, next to half a turn, exact fractions of pi."""
     tiny = st.builds("{}e-{}".format, st.integers(1, 9), st.integers(3, 60))
     wide = st.builds(lambda nines: f"0.{'9' * nines}pi", st.integers(1, 30))
     exact = st.builds("{}pi/12".format, st.integers(1, 11))
@@ -44,8 +43,7 @@ def half_openings(hard: bool | None = None) -> SearchStrategy[str]:
 
 
 def frictions(hard: bool | None = None) -> SearchStrategy[str]:
-    """Frictions as exact texts: ordinary coefficients from 0.01 to 4; hard ones (``hard=True`` alone, False: none): none, tiny, huge
-    and unlimited, tangents of exact angles."""
+    """Frictions as exact texts: ordinary coefficients from 0.01 to 4; hard ones: none, tiny, huge, unlimited, tangents of exact angles."""
     special = st.sampled_from(["0", "inf", "1e80", "1e-30"])
     tangents = st.builds("tan(pi/{})".format, st.integers(3, 60))
     angles = st.builds("{}deg".format, st.integers(1, 89))
@@ -53,8 +51,7 @@ def frictions(hard: bool | None = None) -> SearchStrategy[str]:
 
 
 def thicknesses(hard: bool | None = None) -> SearchStrategy[str]:
-    """Ratios of thickness to radius as exact texts: ordinary ones from 0.001 to 2; hard ones (``hard=True`` alone, False: none): tiny,
-    and next to 2."""
+    """Ratios of thickness to radius as exact texts: ordinary ones from 0.001 to 2; hard ones: tiny, and next to 2."""
     tiny = st.builds("1e-{}".format, st.integers(4, 60))
     thick = st.one_of(st.just("2"), st.builds(lambda nines: f"1.{'9' * nines}", st.integers(1, 30)))
     return _either(_decimals("0.001", "2"), st.one_of(thick, tiny), hard)
@@ -69,7 +66,6 @@ def arches(
     nothing stands any more; with a thickness next to their least; and with hard numbers.
 
     Args:
-        hard: True for hard ones alone, False for ordinary ones alone.
         weight: the model of self-weight of all, 'heyman' or 'milankovitch'; both if it is not given.
         thickness: arches of a thickness, for ``assess``.
         doubles: half opening, friction and thickness are the doubles next to the numbers, as a solver in doubles has them.

@@ -2,7 +2,6 @@
 
 use crate::asked::{target_of, wrong};
 use crate::pool::on_threads;
-use crate::tables::Noted;
 use couplet::ask::{ArchAsked, Field, Spelling, notes};
 use couplet::door::find as sought;
 use couplet::problem::Friction;
@@ -16,7 +15,8 @@ const DIGITS: usize = 17;
 /// Code of what became of a search, the double found with its bounds, and why there is none.
 type Sought = (u8, [f64; 3], Option<String>);
 
-/// What is found of each row: a half opening, a friction, a thickness, as far as they are given.
+/// What is found of each row: a half opening, a friction, a thickness, as far as they are given; behind a note, as of a
+/// table.
 #[pyfunction]
 pub(crate) fn finds(
     py: Python<'_>,
@@ -24,7 +24,7 @@ pub(crate) fn finds(
     weight: &str,
     rows: Vec<[Option<String>; 3]>,
     threads: usize,
-) -> PyResult<Noted<Vec<Sought>>> {
+) -> PyResult<(Option<String>, Vec<Sought>)> {
     let weight = parse::weight(weight).map_err(wrong)?;
     let target = target_of(target)?;
     let frictions = rows.iter().filter_map(|[_, friction, _]| friction.as_ref()?.parse().ok());
@@ -53,6 +53,5 @@ pub(crate) fn finds(
             }
         }
     };
-    let found = on_threads(py, threads, move || rows.into_par_iter().map(sought).collect())?;
-    Ok((note, found))
+    Ok((note, on_threads(py, threads, move || rows.into_par_iter().map(sought).collect())?))
 }
