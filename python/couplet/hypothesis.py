@@ -10,11 +10,13 @@
         ...
 
 An arch is a dictionary of keywords of ``couplet.state``, ``assess`` or ``voussoirs``. Its numbers are exact texts, or doubles. A failing
-arch is made simple, with few digits. Of strategies with ``hard`` True draws hard ones alone, False none.
+arch is made simple, with few digits. Of every strategy ``hard=True`` draws hard ones alone, ``hard=False`` ordinary ones alone.
 """
 
 from __future__ import annotations
 
+import math
+from decimal import ROUND_DOWN, Context, Decimal
 from functools import lru_cache
 
 from hypothesis import strategies as st
@@ -62,8 +64,8 @@ def arches(
 ) -> SearchStrategy[dict[str, Any]]:
     """Arches: ``half_opening``, ``friction``, ``weight`` and, if it is asked for, ``thickness``.
 
-    Hard are arches next to a landmark, of which they share 3 to 40 digits; next to a friction at which one mode becomes another or
-    nothing stands any more; with a thickness next to their least; and with hard numbers.
+    Hard (``hard=True`` alone, False: none) are arches next to a landmark, of which they share 3 to 40 digits; next to a friction at which
+    one mode becomes another or nothing stands any more; with a thickness next to their least; and with hard numbers.
 
     Args:
         weight: the model of self-weight of all, 'heyman' or 'milankovitch'; both if it is not given.
@@ -81,8 +83,7 @@ def arches(
 
 def arches_of_stones(*, hard: bool | None = None, weight: str | None = None, thickness: bool = False) -> SearchStrategy[dict[str, Any]]:
     """Arches of stones, for ``voussoirs``: as ``arches`` has them, with ``stones``, from 2 to 60; of hard ones up to 1,000,000,000."""
-    few = st.integers(2, 60)
-    stones = _either(few, st.integers(61, 10**9), hard)
+    stones = _either(st.integers(2, 60), st.integers(61, 10**9), hard)
     with_stones = st.tuples(arches(hard=hard, weight=weight, thickness=thickness), stones)
     return with_stones.map(lambda both: {**both[0], "stones": both[1]})
 
@@ -107,8 +108,6 @@ def _landmark(landmark: Landmark, weight: str) -> tuple[str, str]:
 
 def _cut(text: str, digits: int) -> str:
     """A number with so many of its digits, of which the rest are cut off."""
-    from decimal import ROUND_DOWN, Context, Decimal
-
     return text if text == "inf" else format(Context(prec=digits, rounding=ROUND_DOWN).create_decimal(Decimal(text)), "f")
 
 
@@ -147,8 +146,6 @@ def _in_doubles(arch: dict[str, Any]) -> dict[str, Any]:
 
 def _double(text: str) -> float:
     """The double next to a number; of an angle or a tangent nearly so."""
-    import math
-
     if text.startswith("tan("):
         return math.tan(_double(text[4:-1]))
     if text.endswith("deg"):
@@ -161,6 +158,4 @@ def _double(text: str) -> float:
 
 def _is_arch(arch: dict[str, Any]) -> bool:
     """Whether doubles are between their limits, which they may be rounded to."""
-    import math
-
     return bool(0 < arch["half_opening"] < math.pi and 0 < arch.get("thickness", 1) <= 2)
