@@ -126,7 +126,7 @@ class _Question:
         if taken is not None:
             raise CoupletError(f"the table has a column '{taken}'; with prefix='…' or suffix='…' the new ones have other names")
         # What is wrong with a name is said though there is no row.
-        asked(_core.table, self.weight, list(columns), [[]] * len(columns), self.quantities, 1)
+        asked(_core.table, self.weight, list(columns), [b""] * len(columns), self.quantities, 1)
         answers = _Answers(np, kind.size, len(self.quantities))
         for rows, why in refused:
             answers.refuse(rows, why)
