@@ -27,11 +27,9 @@ from ._sweeps import Swept, sweep
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
-    from collections.abc import Sequence
-    from typing import Literal
 
     from ._codes import Mode, Verdict
-    from ._named import Landmark, LandmarkName
+    from ._types import Landmark, LandmarkName, Literal, Sequence
 
 __all__ = [
     "FOUND", "LANDMARKS", "MODES", "VERDICTS", "Answer", "Assessment", "Certified", "Checked", "Constants", "CoupletError",
@@ -67,8 +65,7 @@ def constants(
     """The constants of a landmark, each proved to exist, to be unique in a box, and to have the digits shown.
 
     Args:
-        landmark: symbol or name: T triple, S shift, J junction, B border, l rotation-end, L overturning-end, sb
-            widest-joint.
+        landmark: symbol or name: T triple, S shift, J junction, B border, l rotation-end, L overturning-end, sb widest-joint.
         weight: the model of self-weight, 'heyman' or 'milankovitch'.
         digits: significant digits, 1 to 1,000,000.
         quantities: only these ('thickness', 'friction', ...); all if none is named.
@@ -83,37 +80,29 @@ def constants(
 
 
 def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], *, engine: Literal["astro", "mpfr"] = "astro") -> Checked:
-    """Checks a certificate: that the equations have the root claimed, and that every digit is right. Nothing that it says
-    is believed.
+    """Checks a certificate: that the equations have the root claimed, and that every digit is right. Nothing that it says is believed.
 
     Args:
         certificate: its JSON as bytes or str, or the path of its file (pathlib.Path).
-        engine: the arithmetic, 'astro' (pure Rust, shares nothing with MPFR, up to 50,000 digits) or 'mpfr' (up to
-            1,000,000).
+        engine: the arithmetic, 'astro' (pure Rust, shares nothing with MPFR, up to 50,000 digits) or 'mpfr' (up to 1,000,000).
 
-    Raises: CoupletError if there is no such arithmetic here, or a str is a path and no JSON; OSError if a file cannot be
-        read.
+    Raises: CoupletError if there is no such arithmetic here, or a str is a path and no JSON; OSError if a file cannot be read.
 
         >>> couplet.check(couplet.certify("T", digits=20))
         Checked(verdict='accepted', digits=20)
-        >>> couplet.check(b"{}").verdict
-        'refused'
     """
     if isinstance(certificate, str):
         if "{" not in certificate and (certificate.endswith(".json") or "/" in certificate or "\\" in certificate):
             raise CoupletError(f"{certificate!r} is no JSON; for the file of that name give pathlib.Path({certificate!r})")
         # What is no text is no certificate, which the checker says.
         certificate = certificate.encode(errors="surrogatepass")
-    elif isinstance(certificate, (bytearray, memoryview)):
-        certificate = bytes(certificate)
-    elif not isinstance(certificate, bytes):
-        if not hasattr(certificate, "__fspath__"):
-            kind = type(certificate).__name__
-            raise TypeError(f"a certificate is bytes, a str or the path of its file, not {kind}")
+    elif hasattr(certificate, "__fspath__"):
         from pathlib import Path
 
         certificate = _asked.asked(Path(certificate).read_bytes)
-    return Checked((), _asked.asked(_core.check, certificate, engine))
+    elif not isinstance(certificate, (bytes, bytearray, memoryview)):
+        raise TypeError(f"a certificate is bytes, a str or the path of its file, not {type(certificate).__name__}")
+    return Checked((), _asked.asked(_core.check, bytes(certificate), engine))
 
 
 def claims() -> list[tuple[str, str, str]]:
@@ -133,6 +122,4 @@ def prove(*claims: str, threads: int = 0) -> list[Decision]:
         >>> couplet.prove("eq-8")
         [Decision('eq-8', verdict='proved', as_printed='proved')]
     """
-    import json
-
-    return [Decision(told) for told in json.loads(_asked.asked(_core.prove, list(claims), _exact.whole(threads)))["claims"]]
+    return [Decision(told) for told in _asked.of_json(_asked.asked(_core.prove, list(claims), _exact.whole(threads)))["claims"]]

@@ -10,8 +10,7 @@ from ._exact import exact
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from typing import Any, Literal, NoReturn
+    from ._types import Any, Iterator, Literal, NoReturn
 
     Standing = Literal["stands", "falls", "undecided"]
 
@@ -39,6 +38,10 @@ class _Value(Told["Certified | None"]):
         return None if told is None else Certified(self.at, told)
 
 
+def _certified(values: dict[str, Any]) -> dict[str, Certified]:
+    return {name: Certified(name, told) for name, told in values.items() if told is not None}
+
+
 def _standing(stands: bool | None) -> Standing:
     return "undecided" if stands is None else "stands" if stands else "falls"
 
@@ -60,11 +63,7 @@ class Answer:
 
     verdict = Told[str]("What is proved, or ``'undecided'``: neither it nor its contrary is known.", at="status")
     reason = Told["str | None"]("Why an arch falls, or why something is undecided; else None.")
-
-    @property
-    def values(self) -> dict[str, Certified]:
-        """The proved values, by the name of their quantity."""
-        return {name: Certified(name, told) for name, told in self._told["values"].items()}
+    values = Told["dict[str, Certified]"]("The proved values, by the name of their quantity.", _certified)
 
     def to_dict(self) -> dict[str, Any]:
         """All of the answer, for ``json.dumps``: values with their digits, doubles, bounds and units."""
@@ -107,7 +106,6 @@ class _OfArch(Answer):
     __slots__ = ()
 
     weight = Told[str]("The model of self-weight, ``'heyman'`` or ``'milankovitch'``.")
-
     measured_at = Told["str | None"](
         "The circle at which the arch is measured, ``'intrados'``, ``'centreline'`` or ``'extrados'``; None if it has no size."
     )
@@ -121,13 +119,11 @@ class _OfArch(Answer):
         "admissible symmetric state exists, and friction without dilatancy may let it move. None if none is found; that there is "
         "none is not proved."
     )
-
     open = Told["dict[str, str]"]("The quantities that could not be decided, and why.", dict)
     can_stand = Told["bool | None"]("Whether the arch stands at some thickness; None if that is not asked or undecided.")
 
     def svg(self) -> str | None:
-        """A picture of the arch with its lines of thrust, and how it falls, as SVG; None where there is nothing to
-        draw. It is proved anew for this."""
+        """A picture of the arch with its lines of thrust, and how it falls, as SVG, proved anew; None where there is nothing to draw."""
         words = ["draw", *options({**texts_of(self.given)[0], "weight": self.weight})]
         code, written, _ = _core.command([*words, "--format=svg"], 1)
         # There is none of joints that are no stones of one angle, and of more than 500 stones.
@@ -140,8 +136,7 @@ class _OfArch(Answer):
 class State(_OfArch):
     """An arch at its least thickness. ``verdict`` is ``'stands'``, ``'falls'`` or ``'undecided'``.
 
-    Lengths are in units of the radius r of the centreline, forces in units of w r, angles in radians from the crown. A value
-    that there is not is None.
+    Lengths are in units of the radius r of the centreline, forces of w r, angles in radians from the crown; what there is not is None.
     """
 
     __slots__ = ()
@@ -149,12 +144,10 @@ class State(_OfArch):
     _shown: tuple[str, ...] = ("mode", "thickness", "asymmetric_thickness", "reason")
 
     thrust_kn = _Value("The horizontal thrust in kN, where ``density`` and ``depth`` are given.")
-
     verdict = Told["Standing"](
         "``'stands'``: at some thickness an admissible symmetric state exists; ``'falls'``: at none; ``'undecided'``.",
         _standing, "can_stand",
     )  # fmt: skip
-
     mode = Told["str | None"](
         "How it collapses, joints from the shoulder inward: ``'[r,r,s]'``; one of ``couplet.MODES``.",
         lambda modes: next(iter(modes), None), "modes",
@@ -167,13 +160,11 @@ class State(_OfArch):
     sliding_friction = _Value("The friction below which the half opening stands at no thickness.")
     rotational_friction = _Value("The friction from which collapse is purely rotational; infinite where none is enough.")
 
-    @property
-    def enough(self) -> dict[str, Certified]:
-        """What would be enough for an arch that falls: the least ``friction`` at its half opening, the widest
-        ``half_opening`` at its friction, as far as there are such."""
-        told = self._told["enough"].items()
-        return {name: Certified(name, value) for name, value in told if value is not None}
-
+    enough = Told["dict[str, Certified]"](
+        "What would be enough for an arch that falls: the least ``friction`` at its half opening, the widest ``half_opening`` at its "
+        "friction, as far as there are such.",
+        _certified,
+    )
     between = Told["tuple[str, ...]"]("The modes between which an undecided arch lies.", tuple)
     gap = Told["float | None"]("A bound of the difference that could not be told from zero, where it is undecided.")
 
@@ -191,7 +182,6 @@ class Assessment(_OfArch):
     thickness_m = _Value("The thickness in metres, of an arch that is measured.")
     least_thrust_kn = _Value("The least admissible thrust in kN, where ``density`` and ``depth`` are given.")
     largest_thrust_kn = _Value("The largest admissible thrust in kN, where ``density`` and ``depth`` are given.")
-
     verdict = Told["Standing"](
         "``'stands'``: with this thickness an admissible symmetric state exists; ``'falls'``; ``'undecided'``.", _standing, "stands"
     )
@@ -208,8 +198,7 @@ def _bounds(said: dict[str, str] | None) -> tuple[str, str] | None:
 
 
 class Voussoirs(State):
-    """An arch of stones at its least thickness, with joints between them alone; with a thickness also that arch, in
-    ``assessment``."""
+    """An arch of stones at its least thickness, with joints between them alone; with a thickness also that arch, in ``assessment``."""
 
     __slots__ = ()
     _more: tuple[str, ...] = (*State._more, "stones", "joints", "contacts", "loss", "relative_loss", "may_move", "assessment")
@@ -246,13 +235,11 @@ class Tilted(Assessment):
         "The largest acceleration over that of gravity with which there is an admissible state; infinite if any; None if it "
         "stands with none, or that is undecided."
     )
-
     largest_tilt_degrees = _Value("The same as the angle of the ground, in degrees.")
     thrust = _Value("The thrust in the crown at the largest acceleration, H/(w r).")
     vertical_force = _Value("The vertical force in the crown then, V/(w r).")
     thrust_kn = _Value("That thrust in kN, where ``density`` and ``depth`` are given.")
     vertical_force_kn = _Value("That vertical force in kN.")
-
     limited_by = Told["tuple[str, ...]"]("What limits it: the hinges and joints of the mechanism.", tuple)
     may_move = Told[bool]("Whether it stands with a limited friction, which does not exclude a motion.", bool)
 
@@ -290,8 +277,7 @@ class Found(Answer):
 
 
 class Constants(Answer):
-    """The constants of a landmark, by the name of their quantity or its letter: a mapping. ``verdict`` is ``'proved'`` or
-    ``'undecided'``."""
+    """The constants of a landmark: a mapping of names or letters of quantities. ``verdict`` is ``'proved'`` or ``'undecided'``."""
 
     __slots__ = ()
     _more: tuple[str, ...] = ("landmark", "weight")
@@ -321,7 +307,7 @@ class Constants(Answer):
         return list(self.values.items())
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._told["values"])
+        return iter(self.keys())
 
     def __len__(self) -> int:
         return len(self._told["values"])
@@ -347,7 +333,7 @@ class Checked(Answer):
     )
 
     @property
-    def values(self) -> NoReturn:
+    def values(self) -> NoReturn:  # type: ignore[override]
         """Not of a certificate: it has no bounds and no doubles. See ``texts``."""
         raise AttributeError("the values of a certificate are in .texts")
 
@@ -357,14 +343,11 @@ class Checked(Answer):
 
 
 class Decision:
-    """A claim of the paper and what became of it.
-
-    Attributes: ``id``, ``place``, ``statement``; ``verdict`` (``'proved'``, ``'refuted'`` or ``'undecided'``), ``reason``; ``as_printed``
-    (``'proved'``, ``'equality'``, ``'measured'``, ``'refuted'``, ``'not stated'``, ``'undecided'``); ``counterexample`` and
-    ``corrected`` of a misprint; ``equal``, ``holds_with``, ``fails_with``; ``hypotheses``, ``method``; ``argument``
-    (``'own'`` or ``'beneath'``: an argument in words carries it, or a claim that it uses; ``None``: neither); ``derivation`` (its
-    steps), ``seconds``, which ``==`` leaves out.
-    """
+    """A claim of the paper and what became of it: ``id``, ``place``, ``statement``; ``verdict`` (``'proved'``, ``'refuted'`` or
+    ``'undecided'``), ``reason``; ``as_printed`` (``'proved'``, ``'equality'``, ``'measured'``, ``'refuted'``, ``'not stated'``,
+    ``'undecided'``); ``counterexample`` and ``corrected`` of a misprint; ``equal``, ``holds_with``, ``fails_with``; ``hypotheses``,
+    ``method``; ``argument`` (``'own'`` or ``'beneath'``: an argument in words carries it, or a claim that it uses; ``None``: neither);
+    ``derivation`` (its steps), ``seconds``, which ``==`` leaves out."""
 
     def __init__(self, told: dict[str, Any]) -> None:
         self.__dict__.update(told)
@@ -393,6 +376,10 @@ class Survey(dict):  # type: ignore[type-arg]
 
     def __init__(self, told: dict[str, Any]) -> None:
         super().__init__(told)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The same as a plain dictionary, for ``json.dumps``."""
+        return dict(self)
 
     @property
     def verdict(self) -> Literal["stands", "falls", "both", "undecided"]:

@@ -4,21 +4,17 @@ from __future__ import annotations
 
 from . import _core
 from ._answers import Assessment, Found, State, Survey, Tilted, Voussoirs
-from ._asked import FIELDS, asked, ranged, texts_of
+from ._asked import FIELDS, asked, of_json, ranged, texts_of
 from ._core import CoupletError
 from ._exact import text_of, whole
 from ._named import Arches, Beside, Certifiable, named
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from typing import Any, Literal, overload
+    from typing import overload
 
-    from typing_extensions import Unpack
-
-    from ._asked import Given
-    from ._exact import Exact
-    from ._named import Arch, Landmark, LandmarkName, OfStones, OfThickness, Range, Sizes, Stones
+    from ._named import Arch, OfStones, OfThickness, Sizes
+    from ._types import Any, Exact, Given, Landmark, LandmarkName, Literal, Range, Sequence, Stones, Unpack
 else:
 
     def overload(function):
@@ -49,8 +45,7 @@ def state(half_opening: Range | None = None, friction: Range | None = None, *, f
         friction_angle: the angle instead of the coefficient ('21deg').
         stones: how many stones of one angle the arch has, with joints between them alone: the answer is one of ``voussoirs``.
         joints: the angles of its joints instead, from the crown to the shoulder.
-        span, rise, radius: any two, or one with the half opening, as text with a unit ('10m', '60cm', '33ft'); sizes are then
-            told in metres.
+        span, rise, radius: any two, or one with the half opening, with a unit ('10m', '60cm', '33ft'); sizes are then told in metres.
         measured_at: the circle at which these are measured, 'intrados' if it is not given, 'centreline' or 'extrados'.
         density, depth: of the material ('2400kg/m3', '24kN/m3') and across the span; forces are then told in kN.
         thickness, tilt: not here: see ``assess`` and ``tilt``.
@@ -63,9 +58,8 @@ def state(half_opening: Range | None = None, friction: Range | None = None, *, f
 
         >>> couplet.state("pi/2", "0.38", weight="heyman", digits=12)
         State(half_opening='pi/2', friction='0.38', weight='heyman', verdict='stands', mode='[s,r,r]', thickness='0.122191586363')
-        >>> bridge = couplet.state(span="10m", rise="3m", friction="0.6", digits=6)
-        >>> print(bridge.least_thickness_m, bridge.least_thickness_m.unit, bridge.measured_at)
-        0.148126 m intrados
+        >>> couplet.state(span="10m", rise="3m", friction="0.6", digits=6).least_thickness_m
+        Certified('least_thickness_m', '0.148126')
     """
     question = _Question("state", ranged({"half_opening": half_opening, "friction": friction, **arch}))
     survey = question.survey()
@@ -100,16 +94,13 @@ def assess(
     Args:
         thickness: t/r, above 0 and at most 2; of an arch in metres a length ('60cm'), or a ratio with its r ('0.12r').
         tilt: a horizontal acceleration, or the angle by which the ground is tilted: the answer is one of ``tilt``.
-        half_opening, friction, friction_angle, stones, joints, span, rise, radius, measured_at, density, depth, weight, digits:
-            as for ``state``; ranges too, also of the thickness.
+        half_opening and others: as for ``state``; ranges too, also of the thickness.
 
         >>> a = couplet.assess("80deg", "0.6", "0.12", digits=8)
         >>> a.verdict, str(a.geometric_safety), a.least_thrust.limited_by
         ('stands', '1.7479853', 'intrados at the haunch')
         >>> couplet.assess(("79deg", "81deg"), "0.6±10%", (0.125, 0.15)).verdict
         'stands'
-        >>> str(couplet.assess(span="10m", rise="3m", thickness="60cm", friction="31deg", digits=5).geometric_safety)
-        '3.8972'
     """
     question = _Question("assess", ranged({"half_opening": half_opening, "friction": friction, "thickness": thickness, **arch}))
     survey = question.survey()
@@ -177,8 +168,6 @@ def voussoirs(
 
     Returns: an answer; of a range a list of answers.
 
-        >>> couplet.voussoirs("pi/2", "0.6", 11, digits=8).thickness
-        Certified('thickness', '0.10491034')
         >>> [str(arch.thickness) for arch in couplet.voussoirs("pi/2", "0.6", range(7, 10), digits=4)]
         ['0.09625', '0.1009', '0.1021']
     """
@@ -215,13 +204,10 @@ def find(
             ``half_opening`` stands; 'boundary', where one mode becomes another, at either.
         modes: the two modes of a boundary ('rrs/rsr'), also as ``Found.modes`` has them: ('[r,r,s]', '[r,s,r]').
         thickness: t/r, above 0 and at most 2, of an arch in metres a length; any if it is not given. Not of a boundary.
-        half_opening, friction, friction_angle, span, rise, radius, measured_at, weight, digits: as for ``state``.
-        stones, joints, tilt, density, depth: not here; the refusal says why.
+        half_opening and others: as for ``state``. stones, joints, tilt, density, depth: not here; the refusal says why.
 
         >>> couplet.find("friction", half_opening="80deg", thickness="0.1", digits=10).value
         Certified('friction', '0.2573157331')
-        >>> couplet.find("friction", span="10m", rise="3m", thickness="60cm", digits=6).value
-        Certified('friction', '0.103606')
     """
     question = _Question("find", {"half_opening": half_opening, "friction": friction, **arch})
     target = target_of(what, modes)
@@ -241,10 +227,8 @@ def certify(*, half_opening: Range | None = None, friction: Range, **arch: Unpac
 def certify(*, half_opening: Range | None = None, friction_angle: Range, **arch: Unpack[Certifiable]) -> str: ...
 @named(Beside, Certifiable)
 def certify(landmark: str | None = None, *, half_opening: Range | None = None, friction: Range | None = None, **arch: Any) -> str:
-    """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``); an
-    UndecidedError if the proof does not succeed.
-
-    With ranges, as of ``assess``, it is of the verdict on all arches inside (``couplet.survey-certificate/1``).
+    """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``); with ranges, as of ``assess``,
+    of the verdict on all arches inside (``couplet.survey-certificate/1``); an UndecidedError if the proof does not succeed.
 
     Args:
         landmark: of a landmark; or
@@ -252,17 +236,12 @@ def certify(landmark: str | None = None, *, half_opening: Range | None = None, f
         thickness: that the arch stands with it, or does not; or with
         asymmetric: of its asymmetric solution of the complementarity problem (19). True for the one that there is, or how its
             mechanism closes: 'inner_sliding', 'shoulder_opening', 'shoulder_sliding'.
-        friction_angle, span, rise, radius, measured_at: as for ``state``.
-        stones, joints, tilt, density, depth: not here; the refusal says why.
-        weight, digits: as for ``state``; of a landmark up to 1,000,000.
+        friction_angle and others: as for ``state``. stones, joints, tilt, density, depth: not here; the refusal says why.
         threads: threads to compute a landmark with, or the arches that decide for all; 0 for one on each core.
 
         >>> made = couplet.certify(half_opening="2.3", friction="1.05", asymmetric=True, digits=12)
         >>> couplet.check(made, engine="mpfr").verdict
         'accepted'
-        >>> all_of_them = couplet.certify(half_opening="78deg..80deg", friction="0.6", thickness=("0.1", "0.12"), digits=12)
-        >>> couplet.check(all_of_them).summary
-        'all arches stand (an admissible symmetric state exists): half_opening 13/30 pi..4/9 pi thickness 1/10..3/25 friction 3/5 milankovitch  by 1 arch'
     """
     asymmetric, threads = arch["asymmetric"], arch["threads"]
     values = {"half_opening": half_opening, "friction": friction, **arch}
@@ -297,31 +276,23 @@ class _Question:
     def survey(self) -> Survey | None:
         """What is proved of every arch of a question with ranges; None if it has no range."""
         told = asked(_core.surveyed, self.name, *self.words)
-        if told is None:
-            return None
-        import json
-
-        return Survey(json.loads(told))
+        return None if told is None else Survey(of_json(told))
 
     def of_stones(self) -> list[Voussoirs]:
         """The answers about an arch of stones."""
-        import json
-
         stones = dict(self.given).get("stones")
         if isinstance(stones, str) and ".." in stones:
             raise CoupletError("several numbers of stones are a range: couplet.voussoirs(…, stones=range(2, 201))")
         if self.name != "voussoirs" and isinstance(stones, range):
             raise CoupletError("one number of stones at a time; of several couplet.voussoirs tells")
         text, values = asked(_core.voussoirs, self.name, *self.words)
-        said = json.loads(text)
+        said = of_json(text)
         return [_stones_told(self.given, *of) for of in zip(said if isinstance(said, list) else [said], values)]
 
     def tilted(self) -> Tilted:
         """The answer about a tilted arch."""
-        import json
-
         text, values = asked(_core.tilted, *self.words, None)
-        said = json.loads(text)
+        said = of_json(text)
         stands = {"stands": True, "collapses": False}.get(said["outcome"])
         told = {**_with_nothing(said), "status": "undecided" if stands is None else "proved", "stands": stands, "values": values}
         return Tilted(self.given, told)
@@ -329,8 +300,8 @@ class _Question:
 
 def _with_nothing(said: dict[str, Any]) -> dict[str, Any]:
     """What is said of stones or a tilt, and nothing of what else is said of any arch."""
-    lists: dict[str, Any] = {"open": [], "modes": [], "enough": {}, "between": []}
-    return {**said, **lists, **dict.fromkeys(("gap", "can_stand", "stands")), "measured_at": said.get("measured_at")}
+    nothing = dict.fromkeys(("gap", "can_stand", "stands", "measured_at", "stones", "joints", "assessment"))
+    return {**nothing, **said, "open": [], "modes": [], "enough": {}, "between": []}
 
 
 def _stones_told(given: Any, said: dict[str, Any], values: list[dict[str, Any]]) -> Voussoirs:
@@ -338,8 +309,8 @@ def _stones_told(given: Any, said: dict[str, Any], values: list[dict[str, Any]])
     stones, outcome, assessed = said.get("stones"), said["outcome"], said.pop("assessment", None)
     if stones is not None:
         given = tuple((name, stones if isinstance(value, range) else value) for name, value in given)
-    told = {**_with_nothing(said), "stones": stones, "joints": said.get("joints"), "values": values[0], "assessment": None}
-    told |= {"status": "undecided" if outcome == "undecided" else "proved", "modes": [said["mode"]] if said["mode"] else []}
+    told = {**_with_nothing(said), "values": values[0], "modes": [said["mode"]] if said["mode"] else []}
+    told["status"] = "undecided" if outcome == "undecided" else "proved"
     told["can_stand"] = {"stands": True, "any_thickness": True, "undecided": None}.get(outcome, False)
     told["reason"] = said["reason"] or (outcome if told["can_stand"] is False else None)
     if assessed is not None:

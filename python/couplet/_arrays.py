@@ -10,15 +10,11 @@ from ._asked import asked, words
 from ._core import CoupletError
 from ._exact import exact, whole
 from ._named import Batch, named
-from ._rows import in_pieces
+from ._rows import in_pieces, in_tables
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
-    from typing import Any, Literal
-
-    import numpy as np
-    from typing_extensions import Unpack
+    from ._types import Any, Callable, Iterator, Literal, Sequence, Unpack, np
 
 #: What ``verdict`` is a place in. An arch with a thickness stands or falls with it; one without, at some or at none.
 VERDICTS: tuple[str, ...] = ("stands", "falls", "undecided", "refused")
@@ -30,9 +26,9 @@ ASKED = ("half_opening", "friction", "given_thickness")
 def states(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unpack[Batch]) -> np.ndarray[Any, Any]:
     """The states of many arches, each proved, as a structured array. A double is exactly the number that it is.
 
-    The arrays are broadcast against each other: ``states(alpha[:, None], mu[None, :])`` is a grid. Rows of one half opening
-    share its proofs, wherever they stand, and no bit depends on that. A bad row is a row, with the verdict 3; the
-    others are answered. The interpreter lock is released, and Ctrl-C stops it within a second or so.
+    The arrays are broadcast against each other: ``states(alpha[:, None], mu[None, :])`` is a grid. Rows of one half opening share its
+    proofs, wherever they stand, and no bit depends on that. A bad row is a row, with the verdict 3; the others are answered. The
+    interpreter lock is released, and Ctrl-C stops it within a second or so.
 
     Args:
         half_opening: rad, between 0 and pi: an array of numbers, or anything that NumPy reads without a change.
@@ -47,14 +43,12 @@ def states(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unp
         progress: True for a bar, if tqdm is installed; or what is called with the rows done and all rows.
 
     Returns: an array of the common shape with the fields
-        verdict: a couplet.Verdict, and a place in couplet.VERDICTS: 0 stands (an admissible symmetric state exists, which with friction does not
-            exclude an asymmetric mechanism), 1 falls, 2 undecided, 3 refused.
+        verdict: a couplet.Verdict, and a place in couplet.VERDICTS: 0 stands (an admissible symmetric state exists, which with friction
+            does not exclude an asymmetric mechanism), 1 falls, 2 undecided, 3 refused; of the last two ``reasons`` tells why.
         mode: a couplet.Mode, and a place in couplet.MODES, how it collapses at its least thickness; 255 where there is none.
-        and for each quantity NAME, NAME_lower, NAME_upper: the double nearest to the true value, correctly rounded, and
-        doubles not above and not below it. Not a number where there is no such value, or it is undecided: an arch that
-        falls at every thickness has a sliding_friction, with which it would not slide, and nothing else, so that its
-        rotational_friction is not a number.
-        ``reasons`` tells why of the rows that have no verdict.
+        and for each quantity NAME, NAME_lower, NAME_upper: the double nearest to the true value, correctly rounded, and doubles not
+        above and not below it. Not a number where there is no such value, or it is undecided: an arch that falls at every thickness
+        has a sliding_friction, with which it would not slide, and nothing else.
 
     Raises: CoupletError if the arrays are not of doubles, do not fit each other, or a name is unknown.
 
@@ -62,38 +56,30 @@ def states(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unp
         >>> grid["verdict"].tolist(), float(grid["thickness"][1, 0])
         ([[0, 1], [0, 0]], 0.052296358975188306)
     """
-    np = need_numpy()
-    rows = _Rows(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
+    rows = _Rows((half_opening, friction, thickness), **batch)
     # Aligned, so that every field can be used as it is.
-    found = np.zeros(rows.size, dtype=np.dtype(rows.kinds, align=True))
-    rows.answer(found, batch["threads"], batch["progress"])
+    found = rows.np.zeros(rows.size, dtype=rows.np.dtype(rows.kinds, align=True))
+    rows.answer(found)
     return found.reshape(rows.shape)  # type: ignore[no-any-return]
 
 
 @named(Batch)
 def states_columns(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unpack[Batch]) -> dict[str, np.ndarray[Any, Any]]:
-    """The same as ``states`` as columns, with what was asked: a dictionary of flat arrays.
-
-    ``pandas.DataFrame(...)``, ``polars.DataFrame(...)`` and ``pyarrow.table(...)`` take it as it is. The first columns are
-    half_opening, friction and, where it is given, given_thickness.
-    """
-    np = need_numpy()
-    rows = _Rows(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
-    found = {name: np.zeros(rows.size, kind) for name, kind in rows.kinds}
-    rows.answer(found, batch["threads"], batch["progress"])
-    return {**{name: np.array(array) for name, array in zip(ASKED, rows.arrays)}, **found}
+    """The same as ``states`` as columns, a dictionary of flat arrays, as pandas, polars and pyarrow take it: half_opening, friction, where
+    it is given given_thickness, and the fields of ``states``."""
+    return _Rows((half_opening, friction, thickness), **batch).columns()
 
 
 @named(Batch)
 def states_frame(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unpack[Batch]) -> Any:
     """The same as ``states_columns`` as a ``pandas.DataFrame`` for people: ``verdict`` and ``mode`` are categories, words that pandas
-    counts and filters by, and ``reason`` says why a row is refused or undecided. It needs pandas. ``states_frame(…)["mode"].value_counts()`` counts modes.
-    """
+    counts and filters by, and ``reason`` says why a row is refused or undecided. It needs pandas."""
     import pandas  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
-    columns: dict[str, Any] = dict(states_columns(half_opening, friction, thickness, **batch))
+    rows = _Rows((half_opening, friction, thickness), **batch)
+    columns = rows.columns()
     codes = columns["verdict"]
-    why = _reasons(codes, [columns[name] for name in ASKED if name in columns], batch["weight"])
+    why = rows.reasons(codes)
     columns["verdict"] = pandas.Categorical.from_codes(codes, list(VERDICTS))
     # 255 is -1, which is none.
     columns["mode"] = pandas.Categorical.from_codes(columns["mode"].view("int8"), _core.modes())
@@ -119,9 +105,8 @@ def finds(
     """The questions of ``find`` over arrays of doubles, each answered with its proof, as a structured array.
 
     Args:
-        what, modes, weight: as for ``find``.
+        what, modes, weight: as for ``find``. threads, progress: as for ``states``.
         half_opening, friction, thickness: arrays of doubles that are broadcast against each other, as far as the question has them.
-        threads, progress: as for ``states``.
 
     Returns: an array of the common shape with the fields
         verdict: 0 found, 1 nothing (proved), 2 undecided, 3 refused: a place in couplet.FOUND.
@@ -144,7 +129,7 @@ def finds(
     found = np.zeros(int(np.prod(shape)), dtype=np.dtype(kinds, align=True))
     # Of a question that makes no sense, whatever the numbers, the first row says so.
     names = [None if column is None else "1" for column in columns]
-    code, _, why = asked(_core.finds, target, weight, [names], 1)[0]
+    _, ((code, _, why),) = asked(_core.finds, target, weight, [names], 1)
     if code == FOUND.index("refused"):
         raise CoupletError(str(why))
 
@@ -173,27 +158,13 @@ def reasons(
         >>> couplet.reasons(couplet.states(*arrays), *arrays)
         {1: 'the friction -1 is negative'}
     """
-    np = need_numpy()
-    rows = _Rows(np, half_opening, friction, thickness, weight, None)
+    rows = _Rows((half_opening, friction, thickness), weight)
     if rows.shape != found.shape:
         raise CoupletError(f"the answers have the shape {found.shape}, and the questions {rows.shape}")
-    why = _reasons(found["verdict"].reshape(-1), rows.arrays, weight)
+    why = rows.reasons(found["verdict"].reshape(-1))
     if found.ndim == 1:
-        return dict(why)
-    return {tuple(map(int, np.unravel_index(row, rows.shape))): reason for row, reason in why.items()}
-
-
-def _reasons(codes: Any, arrays: list[Any], weight: str) -> dict[int, str]:
-    """The reasons of the rows without a verdict."""
-    why = {}
-    for row in (codes >= VERDICTS.index("undecided")).nonzero()[0].tolist():
-        arch: Any = [float(array[row]) for array in arrays]
-        try:
-            answer = assess(*arch, weight=weight, digits=17) if len(arch) > 2 else state(*arch, weight=weight, digits=17)
-            why[row] = answer.reason or "it is undecided in doubles"
-        except CoupletError as error:
-            why[row] = str(error)
-    return why
+        return why
+    return {tuple(map(int, rows.np.unravel_index(row, rows.shape))): reason for row, reason in why.items()}
 
 
 def need_numpy() -> Any:
@@ -217,33 +188,47 @@ def asked_for(quantities: str | Sequence[str] | None, has_thickness: bool) -> li
 class _Rows:
     """Arrays of one shape, flat, and what is asked of each row."""
 
-    def __init__(self, np: Any, half_opening: Any, friction: Any, thickness: Any, weight: str, quantities: Any) -> None:
-        self.np, self.weight = np, weight
-        given = {"half openings": half_opening, "frictions": friction}
-        self.shape, flat = _flat(np, given if thickness is None else {**given, "thicknesses": thickness})
-        self.arrays = list(flat.values())
-        self.size = self.arrays[0].size
-        names = list(dict.fromkeys(asked_for(quantities, thickness is not None)))
-        self.columns = [f"{name}={name}" for name in ASKED[: len(flat)]]
+    def __init__(self, arrays: tuple[Any, ...], weight: str, quantities: Any = None, threads: int = 0, progress: Any = False) -> None:
+        self.np, self.progress = need_numpy(), progress
+        given = zip(("half openings", "frictions", "thicknesses"), arrays)
+        self.shape, flat = _flat(self.np, {what: array for what, array in given if array is not None})
+        self.asked = dict(zip(ASKED, flat.values()))
+        self.size = self.asked["friction"].size
+        columns = {f"{name}={name}": array for name, array in self.asked.items()}
+        names = list(dict.fromkeys(asked_for(quantities, len(flat) > 2)))
         # Nothing is computed before every name is known, nor under a name of the paper.
-        asked(_core.table, weight, self.columns, [b""] * len(flat), names, 1)
-        self.names = list(dict.fromkeys(_core.quantity(name) for name in names))
+        asked(_core.table, weight, list(columns), [b""] * len(flat), names, 1)
+        names = list(dict.fromkeys(map(_core.quantity, names)))
+        self.question = weight, columns, names, whole(threads)
         # What is answered, and what it is.
-        values = [(name + end, np.float64) for name in self.names for end in ("", "_lower", "_upper")]
-        self.kinds = [("verdict", np.uint8), ("mode", np.uint8), *values]
+        values = [(name + end, self.np.float64) for name in names for end in ("", "_lower", "_upper")]
+        self.kinds = [("verdict", self.np.uint8), ("mode", self.np.uint8), *values]
 
-    def answer(self, found: Any, threads: int, progress: Any) -> None:
+    def answer(self, found: Any) -> None:
         """Writes every field, some rows at a time."""
-        np, threads = self.np, whole(threads)
-
-        def ask(places: Any) -> Any:
-            return _core.table(self.weight, self.columns, [array[places].tobytes() for array in self.arrays], self.names, threads)
-
-        with telling(progress, self.size) as tell:
-            for places, (verdict, mode, values, _) in in_pieces(np, self.arrays[0], self.size, ask, tell):
+        with telling(self.progress, self.size) as tell:
+            for places, (verdict, mode, values, _) in in_tables(self.np, self.size, self.question, tell):
                 columns = [verdict, mode, *(bound for value in values for bound in value)]
                 for (name, kind), column in zip(self.kinds, columns):
-                    found[name][places] = np.frombuffer(column, kind)
+                    found[name][places] = self.np.frombuffer(column, kind)
+
+    def columns(self) -> dict[str, Any]:
+        """What is asked and what is answered, as flat arrays."""
+        found = {name: self.np.zeros(self.size, kind) for name, kind in self.kinds}
+        self.answer(found)
+        return {**{name: self.np.array(array) for name, array in self.asked.items()}, **found}
+
+    def reasons(self, codes: Any) -> dict[int, str]:
+        """The reasons of the rows that have no verdict, of which these are the codes."""
+        why = {}
+        for row in (codes >= VERDICTS.index("undecided")).nonzero()[0].tolist():
+            arch: Any = [float(array[row]) for array in self.asked.values()]
+            try:
+                answer = (assess if len(arch) > 2 else state)(*arch, weight=self.question[0], digits=17)
+                why[row] = answer.reason or "it is undecided in doubles"
+            except CoupletError as error:
+                why[row] = str(error)
+        return why
 
 
 def _flat(np: Any, given: dict[str, Any]) -> tuple[Any, dict[str, Any]]:

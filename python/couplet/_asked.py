@@ -8,11 +8,8 @@ from ._exact import exact, no_text, of_numpy, text_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-    from typing import Any, ParamSpec, TypeVar
+    from ._types import Any, Callable, Given, ParamSpec, Sequence, TypeVar
 
-    #: What is given, by its names.
-    Given = tuple[tuple[str, Any], ...]
     P = ParamSpec("P")
     T = TypeVar("T")
 
@@ -33,6 +30,13 @@ def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         raise type(error)(said) from None
 
 
+def of_json(text: str | bytes) -> Any:
+    """What a text says in JSON, whose reader is imported by the first."""
+    import json
+
+    return json.loads(text)
+
+
 def warn(note: str) -> None:
     """Warns, where the package was called, of what may have been meant otherwise."""
     import sys
@@ -45,7 +49,7 @@ def warn(note: str) -> None:
 
 
 # What a shell has in a sentence, and Python instead.
-_SPOKEN = (
+_SPOKEN: tuple[tuple[str, Any], ...] = (
     # What a whole line is, and how to build the command.
     (r"; (?:usage|for example): couplet .*|, or give --format| \(cargo [^)]*\)", ""),
     (r"^unexpected argument '--([\w-]+)' found.*", r"--\1 does not belong here"),
@@ -62,6 +66,7 @@ _SPOKEN = (
     (r"--along (friction) ([\d.]+)", r"along=('\1', '\2')"),
     (r"--keep (\w+)", r"keep='\1'"),
     (r"--(\w+) (\d\S*)", r"--\1=\2"),
+    (r"--([a-z]+(?:-[a-z]+)*)", lambda option: option[1].replace("-", "_")),
 )
 
 
@@ -71,8 +76,7 @@ def spoken(sentence: str) -> str:
 
     for shell, python in _SPOKEN if "--" in sentence or "couplet " in sentence or "invalid" in sentence else ():
         sentence = re.sub(shell, python, sentence)
-    sentence = re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda option: option[1].replace("-", "_"), sentence)
-    return re.sub(r"(?<![\d/])(-?\d+)/(\d{7,})(?![\d/])", _double, sentence)
+    return re.sub(r"(?<![\d/])(-?\d+)/(\d{7,})(?![\d/])", _double, sentence) if "/" in sentence else sentence
 
 
 def _double(found: Any) -> str:

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from decimal import Decimal
-    from fractions import Fraction
-    from typing import Any, Generic, Optional, TypeVar
+    from typing import Generic
+
+    from ._types import Any, Callable, Decimal, Fraction, Optional, TypeVar
 
     Parts = tuple[str, str, str, float, float, float, Optional[str], Optional[str]]
     T = TypeVar("T", covariant=True)

@@ -25,12 +25,7 @@ class _Code(IntEnum):
 
 
 class Verdict(_Code):
-    """The verdict of a row of ``states``: a number that is equal to its code, and whose text is its word.
-
-    >>> found = couplet.states([1.3, 1.4], 0.2)
-    >>> [str(couplet.Verdict(code)) for code in found["verdict"]], couplet.Verdict.FALLS == 1
-    (['stands', 'falls'], True)
-    """
+    """The verdict of a row of ``states``: a number that is equal to its code, and whose text is its word."""
 
     STANDS = 0
     FALLS = 1
@@ -39,11 +34,7 @@ class Verdict(_Code):
 
 
 class Mode(_Code):
-    """The mode of a row of ``states``: a number that is equal to its code, and whose text is as in ``couplet.MODES``.
-
-    >>> str(couplet.Mode(couplet.states(2.5, 1.5)["mode"].item())), str(couplet.Mode.NONE)
-    ('[r,r,s]', 'none')
-    """
+    """The mode of a row of ``states``: a number that is equal to its code, and whose text is as in ``couplet.MODES``."""
 
     RRR = 0
     SRR = 1

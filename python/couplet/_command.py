@@ -15,7 +15,7 @@ from ._exact import exact, no_text, of_numpy, text_of, whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from ._types import Any
 
 _PROGRAM = "import sys; sys.path.insert(0, {!r}); from couplet.__main__ import main; sys.exit(main())"
 _NAME = "couplet: "
@@ -24,8 +24,7 @@ _DECIMALS = ("tolerance", "amplitude")
 
 
 class Done:
-    """What a command did: its exit code, what it wrote, what it says went wrong, and the other lines that it said; its notes are
-    warnings."""
+    """What a command did: its exit code, what it wrote, what it says went wrong, and the other lines that it said; notes are warnings."""
 
     def __init__(self, code: int, output: bytes, said: list[str]) -> None:
         self.code, self.output = code, output

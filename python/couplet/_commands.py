@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from ._arrays import VERDICTS
-from ._asked import FIELDS, ranged, spoken, texts_of, words
+from ._asked import FIELDS, of_json, ranged, spoken, texts_of, words
 from ._command import answer, options
 from ._command import run as _run
 from ._core import CoupletError, modes
@@ -15,14 +15,7 @@ from ._sweeps import _Toml
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
-    from typing import Any, Literal, Union
-
-    import numpy as np
-    from typing_extensions import Unpack
-
-    from ._exact import Exact
-    from ._named import Landmark, LandmarkName, Range
+    from ._types import Any, Exact, Iterator, Landmark, LandmarkName, Literal, Mapping, Range, Sequence, Union, Unpack, np
 
     Several = Union[Exact, Sequence[Exact], None]
 
@@ -36,11 +29,10 @@ class Picture:
         self._words, self._threads = words, threads
         self.svg = answer([*words, "--format=svg"], threads).decode()
 
-    def _repr_svg_(self) -> str:
-        return self.svg
-
     def __str__(self) -> str:
         return self.svg
+
+    _repr_svg_ = __str__
 
     def __repr__(self) -> str:
         return f"Picture({' '.join(self._words)!r}, {len(self.svg)} characters of SVG)"
@@ -52,9 +44,7 @@ class Picture:
 
     def to_dict(self) -> Any:
         """What it shows, as data (the command's JSON), where there is such."""
-        import json
-
-        return json.loads(answer([*self._words, "--format=json"], self._threads))
+        return of_json(answer([*self._words, "--format=json"], self._threads))
 
 
 @named(Drawn)
@@ -65,9 +55,8 @@ def draw(
     UndecidedError if there is nothing to draw, or nothing is proved.
 
     Args:
-        half_opening and others: as for ``state``; with thickness as for ``assess``, with ranges too: then the bands in which the lines of
-            thrust of all arches inside lie.
-        stones: from 2 to 500. joints: not here; the refusal says why.
+        half_opening and others: as for ``state``, but for joints; with thickness as for ``assess``, with ranges too: then the bands in
+            which the lines of thrust of all arches inside lie. Of stones there are 2 to 500.
         tilt: with a thickness, the arch at the largest tilt that it bears.
         at: a landmark instead of an arch, by symbol or name.
         mode: only this mode, where several are possible.
@@ -79,9 +68,6 @@ def draw(
         font: the family of letters, of PNG and PDF one of this machine; DejaVu Sans if it is not given.
         full_caption: all the words below; no_caption, no_title: without them, and without the headings above.
         threads: threads to compute with; 0 for one on each core.
-
-        >>> print(couplet.draw("80deg", "0.35", half=True, width="84mm").svg[:4])
-        <svg
     """
     texts, _ = texts_of(ranged({"half_opening": half_opening, "friction": friction, **drawn}))
     line = ["draw", *(["--along", *words(along)] if along else [])]
@@ -155,9 +141,7 @@ def map(
 
 def _told(line: list[str], named: dict[str, Any], threads: int = 0) -> Any:
     """What the command says in JSON."""
-    import json
-
-    return json.loads(answer([*line, *options(named), "--format=json"], threads))
+    return of_json(answer([*line, *options(named), "--format=json"], threads))
 
 
 class Curve:
@@ -172,8 +156,7 @@ class Curve:
         widest_tube: the largest half-width.
         columns: a dictionary of arrays, which pandas, polars and pyarrow take: ``parameter``, of each coordinate NAME_lower and
             NAME_upper (``half_opening``, ``friction``, ``friction_angle``, ``thickness``, ``thrust``, ``rotation_joint``, ``sliding_joint``;
-            not a number where there is none), value and slope of the cubic NAME_node and NAME_rate, ``tube`` and ``proved`` of the
-            piece that begins there.
+            not a number where there is none), value and slope of the cubic NAME_node and NAME_rate, ``tube`` and ``proved`` of its piece.
     """
 
     __slots__ = ("name", "weight", "parameter", "ends", "gaps", "widest_tube", "columns")
@@ -212,10 +195,6 @@ def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "
         weight: the model of self-weight, 'heyman' or 'milankovitch'.
         tolerance: the largest half-width of a tube, from 1e-12 to 1.
         threads: threads to compute with; 0 for one on each core.
-
-        >>> line = couplet.curve("rrr/srr", tolerance=1e-3)
-        >>> bool((line["friction_lower"][1:-1] <= line["friction_upper"][1:-1]).all()), line.parameter
-        (True, 'half_opening')
     """
     curves = _told(["map"], {"curve": name, "weight": weight, "tolerance": tolerance}, threads)["curves"]
     if len(curves) != 1:
@@ -224,11 +203,8 @@ def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "
 
 
 class Judged:
-    """Somebody's results, judged: a sequence with a dictionary for each row, as in docs/columns.md.
-
-    Attributes:
-        rows: the dictionaries: ``verdict``, ``accepted``, ``reason``, ``numbers`` with errors and digits of each number, …
-    """
+    """Somebody's results, judged: a sequence, ``rows``, with a dictionary for each row, as in docs/columns.md: ``verdict``, ``accepted``,
+    ``reason``, ``numbers`` with errors and digits of each number, …"""
 
     __slots__ = ("rows",)
 
@@ -274,43 +250,30 @@ def judge(
     accept: int | None = None,
     threads: int = 0,
 ) -> Judged:
-    """Judges somebody else's results: each row against the certified state of its arch (docs/columns.md). It runs the command in a
-    process of its own, which an interrupt ends.
+    """Judges somebody else's results, each row against the certified state of its arch, in a process of its own, which an interrupt ends.
 
     Args:
         rows: a frame of pandas or polars, a table of Arrow, a dictionary of columns, a list of dictionaries, or the path of a file.
-            The columns are ``half_opening`` and ``friction``, perhaps ``weight``, and what is claimed: ``thickness``, ``mode``, ``can_stand``,
-            ``thrust``, …; with ``given_thickness`` also ``stands``, ``geometric_safety``, …. Verdicts and modes may be the
-            codes of ``states``.
-        columns: other names, {"alpha_deg": "half_opening:deg", "t": "thickness"}, or as the command has them, ["t=thickness"]; then
-            only these are read.
+            The columns are ``half_opening`` and ``friction``, perhaps ``weight``, and what is claimed: ``thickness``, ``mode``,
+            ``can_stand``, ``thrust``, …; with ``given_thickness`` also ``stands``, ``geometric_safety``, …; codes as of ``states`` too.
+        columns: other names, {"alpha_deg": "half_opening:deg", "t": "thickness"}, or ["t=thickness"]; then only these are read.
         keep: columns that are handed on to each row, or 'all' that are not read.
         weight: the model of self-weight of rows that have none; 'milankovitch' if it is not given.
-        inputs: 'double': half openings and frictions are the nearest doubles to what is written, 'exact': what is written. If it is
-            not given 'exact' for a file, else 'double', as a frame has doubles.
+        inputs: half openings and frictions are 'exact', what is written (usual of a file), or 'double', the double next to it (of a frame).
         accept: correct digits that every number of an accepted row must have.
         threads: threads to compute with; 0 for one on each core.
 
     Raises: CoupletError if there are no rows, or columns are missing; a row that makes no sense is a row, with its ``reason``.
-
-        >>> mine = {"half_opening": [1.3, 1.3], "friction": [0.5, 0.5], "thickness": [0.0523, 0.0417]}
-        >>> [row["verdict"] for row in couplet.judge(mine)]
-        ['correctly rounded', 'thinner than the least thickness']
     """
-    import json
-
-    path, data = "-", b""
-    if isinstance(rows, (str, os.PathLike)):
-        path = os.path.abspath(rows)
-    else:
-        data = _table(rows, columns if hasattr(columns, "items") else {})
-    pairs = [f"{theirs}={ours}" for theirs, ours in columns.items()] if hasattr(columns, "items") else columns
+    is_file, are_pairs = isinstance(rows, (str, os.PathLike)), hasattr(columns, "items")
+    data = b"" if is_file else _table(rows, columns if are_pairs else {})
+    pairs = [f"{theirs}={ours}" for theirs, ours in columns.items()] if are_pairs else columns
     named = {"columns": pairs, "keep": keep, "weight": weight, "accept": accept, "threads": threads or None}
-    named["inputs"] = inputs or ("exact" if path != "-" else "double")
-    done = _run(["judge", *options(named), "--format=jsonl", "--", path], data)
+    named["inputs"] = inputs or ("exact" if is_file else "double")
+    done = _run(["judge", *options(named), "--format=jsonl", "--", os.path.abspath(rows) if is_file else "-"], data)
     if done.code and not done.output:
         raise done.failure()
-    return Judged([json.loads(line) for line in done.output.splitlines()])
+    return Judged([of_json(line) for line in done.output.splitlines()])
 
 
 def _table(rows: Any, columns: Mapping[str, str]) -> bytes:
@@ -359,10 +322,8 @@ def _cell(value: Any) -> Any:
 
 def _word(code: Any, words: list[str]) -> Any:
     """A word, of which the code may be given; of one that a frame lacks nothing is claimed."""
-    if code == "nan":
-        return ""
     if not isinstance(code, int):
-        return code
+        return "" if code == "nan" else code
     return words[code] if 0 <= code < len(words) else ""
 
 
@@ -378,27 +339,21 @@ def sample(count: int = 100, *, hard: bool = False, assemblies: bool = False, se
         >>> couplet.state(arch["half_opening"], arch["friction"], weight=arch["weight"], digits=6).verdict
         'stands'
     """
-    import json
-
     named = {"count": count, "hard": hard, "assemblies": assemblies, "seed": seed}
     if assemblies:
         return _told(["sample"], named)  # type: ignore[no-any-return]
-    arches = [json.loads(line) for line in answer(["sample", *options(named), "--format=jsonl"]).splitlines()]
-    for arch in arches:
-        if arch["friction_double"] is None:
-            arch["friction_double"] = float("inf")
-    return arches
+    arches = [of_json(line) for line in answer(["sample", *options(named), "--format=jsonl"]).splitlines()]
+    return [{**arch, "friction_double": float("inf")} if arch["friction_double"] is None else arch for arch in arches]
 
 
 def audit(*, only: Landmark | LandmarkName | Sequence[Landmark | LandmarkName] | None = None, weight: str = "both") -> dict[str, Any]:
-    """Every number the paper prints, and its claims on the two weights, against certified values: ``couplet.audit/2``; an
-    UndecidedError if something is not proved.
+    """Every number the paper prints, and its claims on the weights, against certified values; an UndecidedError if one is not proved.
 
     Args:
         only: the numbers of these landmarks alone.
         weight: 'heyman', 'milankovitch' or 'both'.
 
-    Returns: a dictionary with ``printed``, a list of numbers with their verdicts, and ``comparisons``.
+    Returns: a dictionary (``couplet.audit/2``) with ``printed``, a list of numbers with their verdicts, and ``comparisons``.
 
         >>> [number["verdict"] for number in couplet.audit(only="T", weight="heyman")["printed"]][:3]
         ['wrong', 'faithful', 'correctly rounded']
@@ -425,8 +380,7 @@ def equation(number: int, *, half_opening: Exact | None = None, **values: Unpack
 
 @named(Values)
 def states_of(friction: Exact | None = None, **values: Unpack[Values]) -> dict[str, Any]:
-    """All states that have one value, whatever their half opening: ``couplet.states_of/1``, with both branches of (9) to (11);
-    an UndecidedError if something is not proved.
+    """All states with one value, on both branches of (9) to (11): ``couplet.states_of/1``; an UndecidedError if one is not proved.
 
     Args:
         friction: as for ``state``; unlimited if it is not given.
@@ -439,14 +393,8 @@ def states_of(friction: Exact | None = None, **values: Unpack[Values]) -> dict[s
 
 
 class Ran:
-    """What a scene has made.
-
-    Attributes:
-        folder: where its outputs are.
-        outputs: the paths of the files that were written or kept.
-        text: what has no file.
-        undecided: what was not proved, or None.
-    """
+    """What a scene has made: ``outputs``, paths of files written or kept, in its ``folder``; ``text``, what has no file; ``undecided``, what
+    was not proved, or None."""
 
     __slots__ = ("folder", "outputs", "text", "undecided")
 
@@ -464,30 +412,27 @@ class Ran:
 def run(
     scene: str | os.PathLike[str] | Mapping[str, Any], output: str | os.PathLike[str] = "", *, resume: bool = False, overwrite: bool = False
 ) -> Ran:
-    """Computes what a scene asks for, and writes it (``couplet run --schema`` shows every key), in a process of its own, which an
-    interrupt ends with what it had begun to write.
+    """Computes and writes what a scene asks for (``couplet run --schema`` shows every key), in a process that an interrupt ends.
 
     Args:
         scene: the path of a scene (TOML), or its keys as a dictionary, of which a float is the double that it is.
         output: the folder of its outputs, made if need be; the working folder if it is not given.
         resume: keep an output that is there if what is asked has not changed. overwrite: replace files that no run wrote.
 
-    Raises: CoupletError if the scene makes no sense, with all its faults, of a dictionary with their keys; OSError if something
-        cannot be read or written.
+    Raises: CoupletError with all faults of a scene, of a dictionary with their keys; OSError if something cannot be read or written.
 
         >>> couplet.run({"arches": [{"half_opening": "80deg", "friction": "0.6", "quantities": "thickness", "digits": 5}]}).text.split()[-1]
         '0.068650'
     """
-    toml, path = None, "-"
     if isinstance(scene, (str, os.PathLike)):
-        path = os.path.abspath(scene)
+        path, toml = os.path.abspath(scene), _Toml({})
     else:
-        toml = _Toml({"schema": "couplet.scene/1", **scene})
+        path, toml = "-", _Toml({"schema": "couplet.scene/1", **scene})
     folder = os.path.abspath(output)
     named = options({"resume": resume, "overwrite": overwrite})
-    done = _run(["run", *named, f"--output={folder}", "--", path], toml.text.encode() if toml else b"")
+    done = _run(["run", *named, f"--output={folder}", "--", path], toml.text.encode())
     if done.code > 1 or done.code < 0:
-        faults = "\n".join(spoken(toml.named(line, "standard input:{}:{}: ") if toml else line) for line in done.lines)
+        faults = "\n".join(spoken(toml.named(line, "standard input:{}:{}: ")) for line in done.lines)
         raise CoupletError(faults) if done.code == 2 and faults else done.failure()
     outputs = [line.split(None, 1)[1] for line in done.lines if line.startswith(("written ", "kept "))]
     return Ran(folder, outputs, done.output.decode(), done.sentence or None)

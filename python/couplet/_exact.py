@@ -8,11 +8,7 @@ from ._core import CoupletError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from decimal import Decimal
-    from fractions import Fraction
-    from typing import Any, Union
-
-    Exact = Union[str, int, float, Fraction, Decimal]
+    from ._types import Any, Exact
 
 _MOST_THREADS = 1024
 

@@ -10,14 +10,12 @@ from ._asked import asked, spoken
 from ._core import CoupletError
 from ._exact import is_text, no_text, whole
 from ._kinds import NO_SIDE, NO_WORD, kind_of
-from ._rows import in_pieces
+from ._rows import in_tables
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-    from typing import Any, TypeVar
-
     from ._kinds import Columns
+    from ._types import Any, Iterator, Sequence, TypeVar
 
     Table = TypeVar("Table")
 
@@ -51,7 +49,7 @@ def add_states(
         data: a ``DataFrame`` of pandas or polars, a ``LazyFrame``, a ``Table``, ``RecordBatch`` or ``RecordBatchReader`` of pyarrow, a
             dictionary of arrays; anything else that speaks Arrow's C interface, which becomes a ``pyarrow.Table``.
         half_opening: its column, in radians, or with its unit: 'alpha_deg:deg'.
-        friction: the column of coefficients, 'friction' if neither it nor the other is given. friction_angle: of angles, as the half opening.
+        friction, friction_angle: the column of coefficients, 'friction' if neither is given; or of angles, as the half opening.
         thickness: the column of thicknesses, t/r; then each row is asked whether it stands with it.
         weight: the model of self-weight, 'heyman' or 'milankovitch', or the column that names it (where that is empty: milankovitch).
         quantities: as for ``states``.
@@ -59,20 +57,15 @@ def add_states(
         threads: threads to compute with: 1 where an engine has the others; 0 for one on each core.
 
     Returns: the same kind of table with the columns
-        verdict: stands, falls, undecided or refused.
+        verdict: stands, falls, undecided or refused; reason: why it is one of the last two.
         mode: how it collapses at its least thickness (not where a thickness is given).
         and for each quantity NAME, the double nearest to the true value, and NAME_side, where that lies: -1 below the double, 0 on it,
         1 above it; nothing where there is no such value.
-        reason: why it is undecided or refused.
         Words are categories of pandas, an Enum of polars and texts of Arrow. A dictionary of arrays has codes, places in
         couplet.VERDICTS and couplet.MODES, and for nothing 255, a side of -128 and what is not a number.
 
     Raises: CoupletError if there is no such column, it has no numbers, or the table has one of a new name or one that no row is asked
         (tilt, stones, joints); TypeError if it is no table.
-
-        >>> table = couplet.add_states({"alpha_deg": [80.0, 140.0], "mu": [0.25, 0.25]}, half_opening="alpha_deg:deg", friction="mu")
-        >>> list(table), table["verdict"].tolist(), float(table["thickness"][0])
-        (['alpha_deg', 'mu', 'verdict', 'mode', 'thickness', 'thickness_side', 'reason'], [0, 1], 0.10643650640572254)
     """
     need_numpy()
     given = {"half_opening": half_opening, "friction": friction, "friction_angle": friction_angle, "given_thickness": thickness}
@@ -125,48 +118,41 @@ class _Question:
         texts = [name for name in kind.names if isinstance(name, str) and is_text(name)]
         for why in filter(None, map(_core.unanswered, texts)):
             raise CoupletError(spoken(f"{why}; under another name the column is handed on"))
-        columns, cells, refused = self._read(np, kind)
+        columns, refused = self._read(np, kind)
         names = ["verdict", *([] if self.has_thickness else ["mode"])]
         names += [name + end for name in self.quantities for end in ("", "_side")]
         names = [name.join(self.around) for name in (*names, "reason")]
         taken = next((name for name in names if name in kind.names), None)
         if taken is not None:
             raise CoupletError(f"the table has a column '{taken}'; with prefix='…' or suffix='…' the new ones have other names")
-
-        def ask(here: Any) -> Any:
-            return asked(_core.table, self.weight, columns, [_some(column, here) for column in cells], self.quantities, self.threads)
-
         # What is wrong with a name is said though there is no row.
-        ask(slice(0, 0))
+        asked(_core.table, self.weight, list(columns), [b""] * len(columns), self.quantities, 1)
         answers = _Answers(np, kind.size, len(self.quantities))
         for rows, why in refused:
             answers.refuse(rows, why)
         places = (answers.why == NO_WORD).nonzero()[0] if refused else kind.size
-        keys = None if isinstance(cells[0], list) else cells[0]
-        for here, told in in_pieces(np, keys, places, ask):
+        for here, told in in_tables(np, places, (self.weight, columns, self.quantities, self.threads)):
             answers.put(here, told)
         return kind.with_columns(dict(zip(names, answers.columns(kind, not self.has_thickness))))
 
-    def _read(self, np: Any, kind: Columns) -> tuple[list[str], list[Any], list[tuple[Any, str]]]:
-        """The columns as the command has them, ``theirs=ours:deg``; their cells; and the rows that are refused for a cell that is no
-        text, or is empty, with what is said of them."""
-        columns, cells, empty = [], [], []
+    def _read(self, np: Any, kind: Columns) -> tuple[dict[str, Any], list[tuple[Any, str]]]:
+        """The columns by what the command calls them; and the rows that are refused, for a cell that is empty or no text, with reasons."""
+        columns, empty = {}, []
         no_texts: dict[int, str] = {}
         for role, text in self.roles.items():
             name, unit = _column(kind.names, text)
             column, present = kind.cells(name)
             if len(column) != kind.size:
                 raise CoupletError(f"the column '{name}' has {len(column)} rows, where others have {kind.size}")
-            columns.append(f"{name}={role}{unit}")
             if isinstance(column, list) and not is_text("\n".join(column)):
                 for row in [row for row, text in enumerate(column) if not is_text(text)]:
                     no_texts.setdefault(row, no_text(column[row]))
                     column[row] = ""
-            cells.append(column)
+            columns[f"{name}={role}{unit}"] = column
             # A weight that is not there is the usual one.
             if present is not None and role != "weight":
                 empty.append(((~present).nonzero()[0], f"the {role.replace('given_', '')} is empty"))
-        return columns, cells, [*((np.array([row]), why) for row, why in no_texts.items()), *empty]
+        return columns, [*((np.array([row]), why) for row, why in no_texts.items()), *empty]
 
 
 class _Answers:
@@ -199,13 +185,13 @@ class _Answers:
 
     def columns(self, kind: Columns, have_modes: bool) -> Iterator[Any]:
         """The columns, as a kind of tables has them."""
-        yield kind.words(self.verdicts, VERDICTS)
+        yield kind.column(self.verdicts, NO_WORD, VERDICTS)
         if have_modes:
-            yield kind.words(self.modes, _core.modes())
+            yield kind.column(self.modes, NO_WORD, _core.modes())
         for numbers, sides in self.values:
-            yield kind.numbers(numbers)
-            yield kind.sides(sides)
-        yield kind.texts(self.why, list(self.reasons))
+            yield kind.column(numbers)
+            yield kind.column(sides, NO_SIDE)
+        yield kind.column(self.why, NO_WORD, list(self.reasons), are_few=False)
 
 
 def _column(names: Sequence[Any], text: str) -> tuple[str, str]:
@@ -221,10 +207,3 @@ def _column(names: Sequence[Any], text: str) -> tuple[str, str]:
     if list(names).count(column) > 1:
         raise CoupletError(f"the table has two columns '{column}'")
     return column, unit
-
-
-def _some(cells: Any, here: Any) -> Any:
-    """The cells of some rows, as what is compiled takes them."""
-    if not isinstance(cells, list):
-        return cells[here].tobytes()
-    return cells[here] if isinstance(here, slice) else [cells[row] for row in here.tolist()]

@@ -9,8 +9,7 @@ from ._exact import exact, listed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from typing import Any, Optional
+    from ._types import Any, Mapping, Optional, Sequence
 
     #: Doubles as an array or exact texts, and which of the cells have a value; None if all have.
     Cells = tuple[Any, Optional[Any]]
@@ -72,20 +71,15 @@ class Columns:
         rounds = array.dtype.kind == "f" and any(isinstance(value, int) and abs(value) > 2**53 for value in column)
         return _cells(None if rounds else array, column, name)
 
-    def words(self, codes: Any, words: Sequence[str]) -> Any:
-        # As those of ``states``: nothing is 255.
-        return codes.view("uint8")
-
-    def numbers(self, doubles: Any) -> Any:
-        return doubles
-
-    def sides(self, sides: Any) -> Any:
-        return sides
-
-    def texts(self, codes: Any, words: Sequence[str]) -> Any:
+    def column(self, values: Any, nothing: int | None = None, words: Sequence[str] | None = None, are_few: bool = True) -> Any:
+        """A column of doubles, not a number where there is nothing; or of whole numbers with one that is nothing, as they are or as
+        places of words, which are few or texts of any kind."""
         import numpy as np
 
-        return np.array([*words, None], dtype=object)[codes]
+        if words is None:
+            return values
+        # Codes as those of ``states``: nothing is 255.
+        return values.view("uint8") if are_few else np.array([*words, None], dtype=object)[values]
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         return {**self.data, **columns}
@@ -108,15 +102,14 @@ class Pandas(Columns):
             return _cells(column.to_numpy(dtype=as_numpy, na_value=0), column, name, present)
         return _cells(column.to_numpy(dtype=object), column, name, present, kind)
 
-    def words(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.library.Categorical.from_codes(codes, list(words))
-
-    def sides(self, sides: Any) -> Any:
-        return self.library.arrays.IntegerArray(sides, sides == NO_SIDE)
-
-    def texts(self, codes: Any, words: Sequence[str]) -> Any:
+    def column(self, values: Any, nothing: int | None = None, words: Sequence[str] | None = None, are_few: bool = True) -> Any:
+        if words is None:
+            return values if nothing is None else self.library.arrays.IntegerArray(values, values == nothing)
+        if are_few:
+            return self.library.Categorical.from_codes(values, list(words))
         # One word more, as nothing is taken of nothing.
-        return self.library.array([*words, ""], dtype="string" if self.library.__version__ < "3" else "str").take(codes, allow_fill=True)
+        texts = self.library.array([*words, ""], dtype="string" if self.library.__version__ < "3" else "str")
+        return texts.take(values, allow_fill=True)
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         return self.data.assign(**columns)
@@ -137,21 +130,14 @@ class Polars(Columns):
             raise _no_numbers(name, kind)
         return _cells(None, column, name, present)
 
-    def words(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.library.Series(values=list(words), dtype=self.library.Enum(words)).gather(self._coded(codes, NO_WORD))
-
-    def _coded(self, codes: Any, nothing: int) -> Any:
-        series = self.library.Series(codes)
-        return series.set(series == nothing, None) if (codes == nothing).any() else series
-
-    def numbers(self, doubles: Any) -> Any:
-        return self.library.Series(doubles, nan_to_null=True)
-
-    def sides(self, sides: Any) -> Any:
-        return self._coded(sides, NO_SIDE)
-
-    def texts(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.library.Series(values=list(words), dtype=self.library.String).gather(self._coded(codes, NO_WORD))
+    def column(self, values: Any, nothing: int | None = None, words: Sequence[str] | None = None, are_few: bool = True) -> Any:
+        if nothing is None:
+            return self.library.Series(values, nan_to_null=True)
+        series = self.library.Series(values)
+        series = series.set(series == nothing, None) if (values == nothing).any() else series
+        if words is None:
+            return series
+        return self.library.Series(values=list(words), dtype=self.library.Enum(words) if are_few else self.library.String).gather(series)
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         return self.data.with_columns([column.alias(name) for name, column in columns.items()])
@@ -178,21 +164,12 @@ class Arrow(Columns):
             raise _no_numbers(name, kind)
         return _cells(None, column, name, present)
 
-    def words(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.library.array(words, self.library.string()).take(self._coded(codes, NO_WORD))
-
-    def _coded(self, codes: Any, nothing: int) -> Any:
-        mask = codes == nothing
-        return self.library.array(codes, mask=mask if mask.any() else None)
-
-    def numbers(self, doubles: Any) -> Any:
-        return self.library.array(doubles, self.library.float64(), from_pandas=True)
-
-    def sides(self, sides: Any) -> Any:
-        return self._coded(sides, NO_SIDE)
-
-    def texts(self, codes: Any, words: Sequence[str]) -> Any:
-        return self.words(codes, words)
+    def column(self, values: Any, nothing: int | None = None, words: Sequence[str] | None = None, are_few: bool = True) -> Any:
+        if nothing is None:
+            return self.library.array(values, self.library.float64(), from_pandas=True)
+        mask = values == nothing
+        codes = self.library.array(values, mask=mask if mask.any() else None)
+        return codes if words is None else self.library.array(words, self.library.string()).take(codes)
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         schema = self.data.schema

@@ -4,22 +4,9 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-    from typing import Any, Literal, Optional, TypeVar, Union
-
-    from typing_extensions import TypedDict
-
-    from ._exact import Exact
+    from ._types import Any, Callable, Circle, Exact, Landmark, LandmarkName, Lengths, Range, Sequence, Stones, TypedDict, TypeVar
 
     F = TypeVar("F", bound=Callable[..., Any])
-    #: A value, or the least and the largest.
-    Range = Union[Exact, tuple[Exact, Exact]]
-    #: The same of a length, with its unit.
-    Lengths = Optional[Union[str, tuple[str, str]]]
-    Stones = Union[int, str, None]
-    Circle = Optional[Literal["intrados", "centreline", "extrados"]]
-    Landmark = Literal["T", "S", "J", "B", "l", "L", "sb"]
-    LandmarkName = Literal["triple", "shift", "junction", "border", "rotation-end", "overturning-end", "widest-joint"]
 else:
 
     class TypedDict:

@@ -20,9 +20,9 @@ from ._exact import exact, is_text, no_text, of_numpy, text_of, whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Mapping
     from re import Match
-    from typing import Any
+
+    from ._types import Any, Callable, Iterable, Iterator, Mapping
 
     #: A part, the counts of its verdicts if it was written, and otherwise what is wrong and whether that ends the sweep.
     Done = tuple[int, tuple[int, int, int, int] | None, str, bool]
@@ -40,9 +40,8 @@ class Swept:
 
     Attributes:
         folder: the data set, for any reader of Parquet.
-        rows: the rows that are there, of the share that was asked for.
+        rows, counts: the rows that are there, of the share that was asked for, and how many have which verdict.
         computed, kept: parts that were computed now, and that were there.
-        counts: how many rows have which verdict.
         lost: files or pieces of a data set that cannot be read, and why.
         others: sweeps beside this one, which are as they were.
     """
@@ -102,9 +101,8 @@ def sweep(
         only: (k, n) for the k-th of n shares of the parts, from 1.
         progress: True for a bar, if tqdm is installed; or what is called with the rows done and all rows.
 
-    A value that is listed twice in the plan counts once, with a warning.
-
-    Raises: CoupletError if the plan makes no sense, with the line and the column, or of a dictionary the key; OSError if something cannot be written.
+    Raises: CoupletError if the plan makes no sense, with the line and the column, or of a dictionary the key; OSError if something
+        cannot be written. A value that is listed twice counts once, with a warning.
 
         >>> import tempfile
         >>> grid = {"half_opening": ["80deg", 2.25], "friction": {"from": "0.1", "to": 1, "steps": 10}}
@@ -119,7 +117,7 @@ def sweep(
         raise CoupletError("only is (k, n), the k-th of n: (1, 4), (2, 4), (3, 4), (4, 4)")
     workers = whole(workers)
     if isinstance(plan, (str, os.PathLike)):
-        base, toml = os.path.dirname(os.path.abspath(plan)), None
+        base, toml = os.path.dirname(os.path.abspath(plan)), _Toml({})
         with asked(open, plan, "rb") as file:
             text = file.read()
     else:
@@ -128,11 +126,9 @@ def sweep(
     try:
         path, others, lost, notes = asked(_core.sweep_begin, text, base, os.path.abspath(output))
     except CoupletError as error:
-        if toml is None:
-            raise
         raise CoupletError(toml.named(str(error))) from None
     for note in notes:
-        warnings.warn(note if toml is None else toml.named(note), stacklevel=2)
+        warnings.warn(toml.named(note), stacklevel=2)
     made = Swept(os.fspath(path), base, (k, n), others, lost)
     survey = _core.sweep_survey(made.folder, base, (k, n), workers)
     rows = {part: length for part, length, counts in survey if counts is None}
@@ -176,20 +172,24 @@ def _engine(engine: Any) -> Engine:
 
 
 def _threads(folder: str, base: str, parts: list[int], workers: int) -> Iterator[Done]:
-    from concurrent.futures import ThreadPoolExecutor, as_completed
+    from concurrent.futures import ThreadPoolExecutor
 
     workers = workers or os.cpu_count() or 1
-    pool = ThreadPoolExecutor(workers)
+    yield from _in_pool(ThreadPoolExecutor(workers), partial(_part, folder, base, workers), parts)
+
+
+def _in_pool(pool: Any, ask: Callable[[int], Done], parts: Iterable[int]) -> Iterator[Done]:
+    from concurrent.futures import as_completed
+
     try:
-        futures = [pool.submit(_part, folder, base, workers, part) for part in parts]
-        for future in as_completed(futures):
+        for future in as_completed([pool.submit(ask, part) for part in parts]):
             yield future.result()
     finally:
         pool.shutdown(cancel_futures=True)
 
 
 def _processes(folder: str, base: str, parts: list[int], workers: int) -> Iterator[Done]:
-    from concurrent.futures import ProcessPoolExecutor, as_completed
+    from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
     from multiprocessing import get_context
 
@@ -197,9 +197,7 @@ def _processes(folder: str, base: str, parts: list[int], workers: int) -> Iterat
     while left:
         pool = ProcessPoolExecutor(workers or None, get_context("spawn"), _end_with_the_driver)
         try:
-            futures = [pool.submit(_part, folder, base, 1, part) for part in left]
-            for future in as_completed(futures):
-                done = future.result()
+            for done in _in_pool(pool, partial(_part, folder, base, 1), left):
                 del left[done[0]]
                 yield done
         except BrokenProcessPool:
@@ -207,8 +205,6 @@ def _processes(folder: str, base: str, parts: list[int], workers: int) -> Iterat
             tries += 1
             if tries == _TRIES:
                 raise
-        finally:
-            pool.shutdown(cancel_futures=True)
 
 
 def _end_with_the_driver() -> None:
@@ -260,7 +256,7 @@ def _dask(client: Any, folder: str, base: str, parts: list[int], workers: int) -
 
 
 class _Toml:
-    """A plan as TOML, with numbers as they are, and the place of each of its keys."""
+    """A plan as TOML, with numbers as they are, and the place of each of its keys; it is empty where the plan is a file."""
 
     def __init__(self, table: Mapping[str, Any]) -> None:
         self.text, self.line = "", ""
@@ -279,7 +275,7 @@ class _Toml:
             before = [name for line, column, name in self.places if (1, 1) < at >= (line, column)]
             return f"{before[-1]}: " if before else ""
 
-        return re.sub("^" + place.replace("{}", r"(\d+)"), key, sentences, flags=re.MULTILINE)
+        return re.sub("^" + place.replace("{}", r"(\d+)"), key, sentences, flags=re.MULTILINE) if self.places else sentences
 
     def _pair(self, number: int, within: str, key: Any, value: Any) -> None:
         if not isinstance(key, str):

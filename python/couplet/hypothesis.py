@@ -9,12 +9,14 @@
         mine = my_solver(arch["half_opening"], arch["friction"])
         ...
 
-An arch is a dictionary of keywords of ``couplet.state``, or of ``assess`` or ``voussoirs``. Its numbers are exact texts, or doubles. A failing
-arch is made simple, with few digits.
+An arch is a dictionary of keywords of ``couplet.state``, ``assess`` or ``voussoirs``. Its numbers are exact texts, or doubles. A failing
+arch is made simple, with few digits. Of every strategy ``hard=True`` draws hard ones alone, ``hard=False`` ordinary ones alone.
 """
 
 from __future__ import annotations
 
+import math
+from decimal import ROUND_DOWN, Context, Decimal
 from functools import lru_cache
 
 from hypothesis import strategies as st
@@ -23,11 +25,9 @@ import couplet
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
-
     from hypothesis.strategies import DrawFn, SearchStrategy
 
-    from couplet._named import Landmark
+    from ._types import Any, Landmark
 
 __all__ = ["arches", "arches_of_stones", "frictions", "half_openings", "thicknesses"]
 
@@ -37,8 +37,7 @@ _SHARED = st.integers(3, 40)
 
 
 def half_openings(hard: bool | None = None) -> SearchStrategy[str]:
-    """Half openings as exact texts: ordinary decimals from 0.01 to 3.14; hard ones (``hard=True`` alone, False: none): tiny, next to
-    half a turn, exact fractions of pi."""
+    """Half openings as exact texts: ordinary decimals from 0.01 to 3.14; hard ones: tiny, next to half a turn, exact fractions of pi."""
     tiny = st.builds("{}e-{}".format, st.integers(1, 9), st.integers(3, 60))
     wide = st.builds(lambda nines: f"0.{'9' * nines}pi", st.integers(1, 30))
     exact = st.builds("{}pi/12".format, st.integers(1, 11))
@@ -46,8 +45,7 @@ def half_openings(hard: bool | None = None) -> SearchStrategy[str]:
 
 
 def frictions(hard: bool | None = None) -> SearchStrategy[str]:
-    """Frictions as exact texts: ordinary coefficients from 0.01 to 4; hard ones (``hard=True`` alone, False: none): none, tiny, huge
-    and unlimited, tangents of exact angles."""
+    """Frictions as exact texts: ordinary coefficients from 0.01 to 4; hard ones: none, tiny, huge, unlimited, tangents of exact angles."""
     special = st.sampled_from(["0", "inf", "1e80", "1e-30"])
     tangents = st.builds("tan(pi/{})".format, st.integers(3, 60))
     angles = st.builds("{}deg".format, st.integers(1, 89))
@@ -55,8 +53,7 @@ def frictions(hard: bool | None = None) -> SearchStrategy[str]:
 
 
 def thicknesses(hard: bool | None = None) -> SearchStrategy[str]:
-    """Ratios of thickness to radius as exact texts: ordinary ones from 0.001 to 2; hard ones (``hard=True`` alone, False: none): tiny,
-    and next to 2."""
+    """Ratios of thickness to radius as exact texts: ordinary ones from 0.001 to 2; hard ones: tiny, and next to 2."""
     tiny = st.builds("1e-{}".format, st.integers(4, 60))
     thick = st.one_of(st.just("2"), st.builds(lambda nines: f"1.{'9' * nines}", st.integers(1, 30)))
     return _either(_decimals("0.001", "2"), st.one_of(thick, tiny), hard)
@@ -67,11 +64,10 @@ def arches(
 ) -> SearchStrategy[dict[str, Any]]:
     """Arches: ``half_opening``, ``friction``, ``weight`` and, if it is asked for, ``thickness``.
 
-    Hard are arches next to a landmark, of which they share 3 to 40 digits; next to a friction at which one mode becomes another or
-    nothing stands any more; with a thickness next to their least; and with hard numbers.
+    Hard (``hard=True`` alone, False: none) are arches next to a landmark, of which they share 3 to 40 digits; next to a friction at which
+    one mode becomes another or nothing stands any more; with a thickness next to their least; and with hard numbers.
 
     Args:
-        hard: True for hard ones alone, False for ordinary ones alone.
         weight: the model of self-weight of all, 'heyman' or 'milankovitch'; both if it is not given.
         thickness: arches of a thickness, for ``assess``.
         doubles: half opening, friction and thickness are the doubles next to the numbers, as a solver in doubles has them.
@@ -87,8 +83,7 @@ def arches(
 
 def arches_of_stones(*, hard: bool | None = None, weight: str | None = None, thickness: bool = False) -> SearchStrategy[dict[str, Any]]:
     """Arches of stones, for ``voussoirs``: as ``arches`` has them, with ``stones``, from 2 to 60; of hard ones up to 1,000,000,000."""
-    few = st.integers(2, 60)
-    stones = _either(few, st.integers(61, 10**9), hard)
+    stones = _either(st.integers(2, 60), st.integers(61, 10**9), hard)
     with_stones = st.tuples(arches(hard=hard, weight=weight, thickness=thickness), stones)
     return with_stones.map(lambda both: {**both[0], "stones": both[1]})
 
@@ -113,8 +108,6 @@ def _landmark(landmark: Landmark, weight: str) -> tuple[str, str]:
 
 def _cut(text: str, digits: int) -> str:
     """A number with so many of its digits, of which the rest are cut off."""
-    from decimal import ROUND_DOWN, Context, Decimal
-
     return text if text == "inf" else format(Context(prec=digits, rounding=ROUND_DOWN).create_decimal(Decimal(text)), "f")
 
 
@@ -153,8 +146,6 @@ def _in_doubles(arch: dict[str, Any]) -> dict[str, Any]:
 
 def _double(text: str) -> float:
     """The double next to a number; of an angle or a tangent nearly so."""
-    import math
-
     if text.startswith("tan("):
         return math.tan(_double(text[4:-1]))
     if text.endswith("deg"):
@@ -167,6 +158,4 @@ def _double(text: str) -> float:
 
 def _is_arch(arch: dict[str, Any]) -> bool:
     """Whether doubles are between their limits, which they may be rounded to."""
-    import math
-
     return bool(0 < arch["half_opening"] < math.pi and 0 < arch.get("thickness", 1) <= 2)

@@ -1,6 +1,6 @@
 //! Many searches: a half opening, a friction and perhaps a thickness each.
 
-use crate::asked::{target_of, warn, wrong};
+use crate::asked::{target_of, wrong};
 use crate::pool::on_threads;
 use couplet::ask::{ArchAsked, Field, Spelling, notes};
 use couplet::door::find as sought;
@@ -15,7 +15,8 @@ const DIGITS: usize = 17;
 /// Code of what became of a search, the double found with its bounds, and why there is none.
 type Sought = (u8, [f64; 3], Option<String>);
 
-/// What is found of each row: a half opening, a friction, a thickness, as far as they are given.
+/// What is found of each row: a half opening, a friction, a thickness, as far as they are given; behind a note, as of a
+/// table.
 #[pyfunction]
 pub(crate) fn finds(
     py: Python<'_>,
@@ -23,11 +24,11 @@ pub(crate) fn finds(
     weight: &str,
     rows: Vec<[Option<String>; 3]>,
     threads: usize,
-) -> PyResult<Vec<Sought>> {
+) -> PyResult<(Option<String>, Vec<Sought>)> {
     let weight = parse::weight(weight).map_err(wrong)?;
     let target = target_of(target)?;
     let frictions = rows.iter().filter_map(|[_, friction, _]| friction.as_ref()?.parse().ok());
-    warn(py, notes(&frictions.collect::<Vec<Friction>>()).first())?;
+    let note = notes(&frictions.collect::<Vec<Friction>>()).into_iter().next();
     let sought = move |[half_opening, friction, thickness]: [Option<String>; 3]| {
         let mut asked = ArchAsked::default();
         *asked.at(Field::HalfOpening) = half_opening;
@@ -52,5 +53,5 @@ pub(crate) fn finds(
             }
         }
     };
-    on_threads(py, threads, move || rows.into_par_iter().map(sought).collect())
+    Ok((note, on_threads(py, threads, move || rows.into_par_iter().map(sought).collect())?))
 }

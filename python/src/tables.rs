@@ -1,6 +1,6 @@
 //! The rows of a table: doubles or exact texts in each column, read as `couplet states` reads those of a file.
 
-use crate::asked::{warn, wrong};
+use crate::asked::wrong;
 use crate::pool::{is_short, on_threads};
 use bytemuck::{cast_slice, pod_collect_to_vec};
 use couplet::arch::SelfWeight;
@@ -48,7 +48,8 @@ fn quantities(names: &[String], has_thickness: bool) -> PyResult<Vec<Quantity>> 
     names.iter().map(named).collect()
 }
 
-/// The arches of the rows of a table, whose columns are named as for `couplet states`, `theirs=ours:deg`.
+/// The arches of the rows of a table, whose columns are named as for `couplet states`, `theirs=ours:deg`; behind a note
+/// on what may have been meant otherwise, of which whoever asks in pieces warns once.
 #[pyfunction]
 pub(crate) fn table<'py>(
     py: Python<'py>,
@@ -57,20 +58,20 @@ pub(crate) fn table<'py>(
     cells: Vec<Column>,
     names: Vec<String>,
     threads: usize,
-) -> PyResult<Answered<'py>> {
+) -> PyResult<(Option<String>, Answered<'py>)> {
     let weight = parse::weight(weight).map_err(wrong)?;
     let columns = Columns::named(&columns, Purpose::Ask).map_err(wrong)?;
     let quantities = quantities(&names, columns.has(Field::Thickness))?;
     let is_short = is_short(cells.first().map_or(0, Column::len), &quantities);
     let table = Table { columns, cells, weight };
-    warn(py, table.note())?;
-    let answer = move || table.answers(&quantities);
+    let (note, answer) = (table.note(), move || table.answers(&quantities));
     let found = if is_short { py.detach(answer) } else { on_threads(py, threads, answer)? };
     let found = found.map_err(wrong)?;
     let bytes = |column: &Vec<f64>| PyBytes::new(py, cast_slice(column));
     let values = found.values.iter().map(|columns| columns.iter().map(bytes).collect()).collect();
-    let (verdicts, modes) = (found.verdict_codes(), PyBytes::new(py, &found.modes));
-    Ok((PyBytes::new(py, &verdicts), modes, values, found.reasons.into_iter().collect()))
+    let [verdicts, modes] =
+        [found.verdict_codes(), found.modes].map(|codes| PyBytes::new(py, &codes));
+    Ok((note, (verdicts, modes, values, found.reasons.into_iter().collect())))
 }
 
 /// Why a column asks what no row of a table is asked; nothing of other names.

@@ -1,5 +1,6 @@
 """Many arches at once."""
 
+import warnings
 from fractions import Fraction
 
 import pytest
@@ -189,6 +190,23 @@ def test_progress():
     assert told[-1] == (600, 600) and len(told) > 1
     pytest.importorskip("tqdm")
     couplet.states(1.0, [0.5, 0.6], progress=True)
+
+
+def test_a_note_is_given_once_a_call():
+    # More rows than a piece has, each with a friction of its own.
+    mu, note = np.linspace(5, 50, 1500), "frictions above 4 are coefficients"
+    frame = {"half_opening": ["1"] * len(mu), "friction": [str(friction) for friction in mu.tolist()]}
+    for question, words in [
+        (lambda: couplet.states(1.3, mu), note),
+        (lambda: couplet.states_columns(1.3, mu, 0.1), note),
+        (lambda: couplet.finds("half_opening", friction=mu), "the friction 5 is a coefficient"),
+        (lambda: couplet.add_states({"half_opening": np.full(len(mu), 1.3), "friction": mu}), note),
+        (lambda: couplet.add_states(frame), "the friction 5.0 is a coefficient"),
+    ]:
+        with warnings.catch_warnings(record=True) as warned:
+            warnings.simplefilter("always")
+            question()
+        assert [warning.filename for warning in warned] == [__file__] and str(warned[0].message).startswith(words)
 
 
 def test_what_is_found_over_arrays():

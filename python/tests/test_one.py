@@ -87,6 +87,7 @@ def test_the_verdicts_are_values():
     thin = couplet.assess("80deg", "0.6", "0.01", digits=5)
     assert (thin.verdict, thin.can_stand) == ("falls", None)
     assert couplet.assess("80deg", "0.6", "0.12").verdict == "stands"
+    assert couplet.check(b"{}").verdict == "refused"
     for answer in [falls, thin, couplet.check(b"{}")]:
         with pytest.raises(TypeError, match="verdict"):
             bool(answer)

@@ -13,6 +13,7 @@ def test_a_range_is_two_ends_or_a_text():
     text = couplet.assess("80deg±1deg", "0.6±10%", "0.11±0.01", digits=6)
     assert pair["outcome"] == text["outcome"] == "all_stand" and pair["schema"] == "couplet.survey/1"
     assert pair["ranges"] == text["ranges"] and json.loads(json.dumps(pair)) == pair
+    assert type(pair.to_dict()) is dict and pair.to_dict() == pair and json.loads(json.dumps(pair.to_dict())) == pair
     one = couplet.assess("81deg", "0.54", "0.1", digits=6)
     lower = next(of["lower"] for of in pair["ranges"] if of["quantity"] == "geometric_safety")
     assert float(lower["value"]) <= float(str(one.geometric_safety))
