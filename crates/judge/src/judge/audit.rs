@@ -1,6 +1,7 @@
 //! The printed values against the certified ones, and the two weights against each other.
 
 use super::printed::{KnownValue, PrintedNumber, PrintedVerdict, correct_digits};
+use super::printed_rational::PrintedRational;
 use super::published::{PRINTED, Printed};
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Enclosed, Exact, Undecided};
@@ -162,18 +163,18 @@ impl Points<'_> {
 
 fn audit_one(printed: &'static Printed, points: &Points<'_>) -> Result<Audited, Undecided> {
     let undecided = || Undecided::new(format!("{} {}", printed.place, printed.text));
-    let PrintedNumber { value, unit, digits } = figures(printed.text).ok_or_else(undecided)?;
+    let PrintedNumber { value, per_unit, digits } = figures(printed.text).ok_or_else(undecided)?;
     let truth = points.value(printed.landmark, printed.weight, printed.quantity)?;
     let absolute = truth.error_of(&value);
-    let error = absolute.over(&unit);
-    let verdict = error.verdict().ok_or_else(undecided)?;
+    let error = absolute.times(&per_unit);
+    let error_units = error.shown().ok_or_else(undecided)?;
+    let verdict = error.verdict(&error_units).ok_or_else(undecided)?;
     let size = absolute.shown().ok_or_else(undecided)?;
-    let rounded = truth.rounded(digits.len()).ok_or_else(undecided)?;
+    let rounded = truth.rounded(digits).ok_or_else(undecided)?;
     let correct_digits = match size.digits().is_empty() {
-        true => digits.len(),
+        true => digits,
         false => correct_digits(&absolute, &size, &rounded).ok_or_else(undecided)?,
     };
-    let error_units = error.shown().ok_or_else(undecided)?;
     Ok(Audited { printed, error_units, correct_digits, verdict })
 }
 
@@ -184,8 +185,8 @@ fn figures(text: &str) -> Option<PrintedNumber> {
             numerator.parse::<Integer>().ok()?,
             denominator.parse::<Integer>().ok().filter(|d| !d.is_zero())?,
         ));
-        let digits = format!("{numerator}{denominator}");
-        return Some(PrintedNumber { value, unit: Rational::from(1), digits });
+        let (value, digits) = (PrintedRational::Long(value), numerator.len() + denominator.len());
+        return Some(PrintedNumber { value, per_unit: PrintedRational::integer(1), digits });
     }
     PrintedNumber::from_decimal(&text.parse().ok()?)
 }

@@ -1,6 +1,6 @@
 //! Distance to another mode, where the one that is claimed is wrong.
 
-use super::printed::unit_of_place;
+use super::printed_rational::PrintedRational;
 use crate::certify::state::{Answer, Certify};
 use crate::number::{Decimal, ExactNumber, Rounded, power_of_ten};
 use crate::problem::{Arch, Friction, Mode, Quantity};
@@ -54,7 +54,7 @@ fn half_unit(x: &ExactNumber) -> Option<Rational> {
     let text = x.to_string();
     let number = text.strip_suffix("deg").unwrap_or(&text);
     let decimal: Decimal = number.parse().ok().filter(|_| number.contains('.'))?;
-    Some(unit_of_place(decimal.exponent())? / 2u32)
+    Some(PrintedRational::power_of_ten(decimal.exponent())?.to_rational() / 2u32)
 }
 
 /// The mode of the arch in which what is given is moved by a step; `None` if it falls or that is not certain.

@@ -235,8 +235,8 @@ impl Claimed {
 
     /// Significant digits as written; none for zero.
     fn significant_digits(&self) -> usize {
-        let number = self.value.finite().filter(|number| number.value != 0);
-        number.map_or(0, |number| number.digits.len())
+        let number = self.value.finite().filter(|number| !number.value.is_zero());
+        number.map_or(0, |number| number.digits)
     }
 
     /// Digits that the certified value beside it has.

@@ -1,6 +1,7 @@
 //! Enclosures that printed numbers are compared with: balls of double-doubles, of three words where these are not
 //! enough, and of MPFR.
 
+use super::printed_rational::PrintedRational;
 use crate::certify::Undecided;
 use crate::certify::state::{
     Assessment, Outcome, Wanted, assessment_enclosed, decided, quick_outcome, quick_sliding,
@@ -11,12 +12,12 @@ use crate::number::{
     Rounded, TripleWord, rounded_double, rounded_words,
 };
 use crate::problem::Arch;
-use rug::{Integer, Rational};
+use rug::Integer;
 
 /// An enclosure that a printed number is compared with.
 pub(super) trait Comparable: Enclosure {
     /// A rational number, with as many bits as this one.
-    fn rational(&self, x: &Rational) -> Self;
+    fn rational(&self, x: &PrintedRational) -> Self;
 
     /// The value to `digits` significant digits, correctly rounded; `None` if that is not decided.
     fn rounded(&self, digits: usize) -> Option<Rounded>;
@@ -43,8 +44,8 @@ pub(super) trait Comparable: Enclosure {
 }
 
 impl Comparable for Ball {
-    fn rational(&self, x: &Rational) -> Self {
-        Self::enclosing(x, self.prec())
+    fn rational(&self, x: &PrintedRational) -> Self {
+        Self::enclosing(&x.to_rational(), self.prec())
     }
 
     fn rounded(&self, digits: usize) -> Option<Rounded> {
@@ -80,12 +81,17 @@ impl Comparable for Ball {
 macro_rules! quick {
     ($($number:ty: $rounded:ident),+) => {$(
         impl Comparable for FloatBall<$number> {
-            fn rational(&self, x: &Rational) -> Self {
-                let integer =
-                    |x: &Integer| <$number as Midpoint>::of_words(*x < 0, x.as_limbs(), 0);
-                match x.denom() == &1 {
-                    true => integer(x.numer()),
-                    false => integer(x.numer()) / integer(x.denom()),
+            fn rational(&self, x: &PrintedRational) -> Self {
+                let integer = <$number as Midpoint>::of_words;
+                match x {
+                    &PrintedRational::Short { negative, integer: above, scale: 1 } => integer(negative, &[above], 0),
+                    &PrintedRational::Short { negative, integer: above, scale } => {
+                        integer(negative, &[above], 0) / integer(false, &[scale], 0)
+                    }
+                    PrintedRational::Long(x) => {
+                        let [above, below] = [x.numer(), x.denom()].map(Integer::as_limbs);
+                        integer(*x < 0, above, 0) / integer(false, below, 0)
+                    }
                 }
             }
 
@@ -128,9 +134,21 @@ mod tests {
     use super::*;
     use crate::number::{Field, TripleWordBall, test_config::config};
     use proptest::prelude::*;
+    use rug::Rational;
 
     proptest! {
         #![proptest_config(config(2000))]
+
+        /// A decimal is the same number, whether it is short or not.
+        #[test]
+        fn a_decimal_is_enclosed(integer in any::<i128>(), shift in 0u32..126, exponent in -30i64..20) {
+            let x: crate::number::Decimal = format!("{}e{exponent}", integer >> shift).parse().unwrap();
+            let short = PrintedRational::decimal(&x);
+            prop_assert_eq!(short.to_rational(), x.to_rational());
+            for found in [DoubleDoubleBall::WHOLE.rational(&short), DoubleDoubleBall::WHOLE.rational(&PrintedRational::Long(x.to_rational()))] {
+                prop_assert!(found.to_ball(300).contains(&x.to_rational()) && found.rad() <= found.mid().hi().abs() * 1e-30);
+            }
+        }
 
         /// Numerators and denominators of one word and of several.
         #[test]
@@ -141,9 +159,10 @@ mod tests {
             let integer = |words: &[u64]| Integer::from_digits(words, rug::integer::Order::Lsf);
             let x = Rational::from((integer(&above), integer(&below)));
             let x = if negative { -x } else { x };
-            let words = TripleWordBall::WHOLE.rational(&x);
+            let long = PrintedRational::Long(x.clone());
+            let words = TripleWordBall::WHOLE.rational(&long);
             prop_assert!(words.to_ball(300).contains(&x) && words.rad() <= words.mid().hi().abs() * 1e-44);
-            let found = DoubleDoubleBall::WHOLE.rational(&x);
+            let found = DoubleDoubleBall::WHOLE.rational(&long);
             prop_assert!(found.to_ball(300).contains(&x));
             prop_assert!(found.rad() <= found.mid().hi().abs() * 1e-30);
             let beside = found + found * found.ratio(1, 1 << 30) * found.ratio(1, 1 << 30);

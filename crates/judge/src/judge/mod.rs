@@ -26,6 +26,7 @@
 //! | `audit` | every printed number of the paper, and the two weights beside each other |
 //! | [`published`] | the numbers that the paper prints |
 //! | `printed` | a printed number: its error, and how good its last place is |
+//! | `printed_rational` | the rational numbers that are printed |
 //! | `claim` | what a row says |
 //! | `possible` | a number that an arch may have or not |
 //! | `comparable` | what a printed number is compared with |
@@ -41,6 +42,7 @@ mod comparable;
 mod number;
 mod possible;
 mod printed;
+mod printed_rational;
 pub mod published;
 mod truth;
 mod verdict;

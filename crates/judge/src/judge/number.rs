@@ -3,7 +3,7 @@
 use super::claim::Claimed;
 use super::comparable::Comparable;
 use super::possible::Possible;
-use super::printed::{KnownValue, PrintedNumber, PrintedVerdict, correct_digits, spacing};
+use super::printed::{KnownValue, PrintedNumber, PrintedVerdict, correct_digits, spacings_in_one};
 use super::truth::Truth;
 use crate::number::{Ball, Decimal, DoubleDoubleBall, ExactNumber, Rounded, nearest_double};
 use crate::problem::Quantity;
@@ -99,15 +99,18 @@ impl Judged {
         truth: &KnownValue<E>,
     ) -> Option<()> {
         let absolute = truth.error_of(&number.value);
-        let units = absolute.over(&number.unit);
-        let rounding = units.verdict()?;
+        let in_units = absolute.times(&number.per_unit);
+        let units = in_units.shown()?;
+        let rounding = in_units.verdict(&units)?;
         let order = absolute.order()?;
         let size = absolute.shown()?;
         let relative = match (truth, &absolute) {
             _ if order == Ordering::Equal => Some(size.clone()),
             // Exactly one, which no enclosure decides.
-            _ if number.value == 0 => Some(Rounded::from_rational(&Rational::from(1), 1)?.value),
-            (KnownValue::Exact(x), _) if *x != 0 => Some(absolute.over(x).shown()?),
+            _ if number.value.is_zero() => "1".parse().ok(),
+            (KnownValue::Exact(x), KnownValue::Exact(error)) if *x != 0 => {
+                Some(KnownValue::<E>::Exact(Rational::from(error / x)).shown()?)
+            }
             (KnownValue::Enclosed(x), KnownValue::Enclosed(error)) => {
                 Some(KnownValue::Enclosed(error.clone() / x).shown()?)
             }
@@ -118,16 +121,17 @@ impl Judged {
             KnownValue::Enclosed(x) => Some(x.double()?),
         };
         let is_exactly_zero = matches!(truth, KnownValue::Exact(x) if *x == 0);
-        let spacing = nearest.and_then(spacing).filter(|_| !is_exactly_zero);
-        let ulp = optional(spacing, |spacing| absolute.over(&spacing).shown())?;
+        let spacings = nearest.and_then(spacings_in_one).filter(|_| !is_exactly_zero);
+        let ulp = optional(spacings, |spacings| absolute.times(&spacings).shown())?;
         let rounded = self.certified.finite()?;
         self.correct_digits = match order {
             Ordering::Equal => CorrectDigits::Exact,
             _ => CorrectDigits::Digits(correct_digits(&absolute, &size, rounded)?),
         };
-        self.errors = Some(Errors { absolute: size, relative, units: units.shown()?, ulp });
+        self.errors = Some(Errors { absolute: size, relative, units, ulp });
         let short = DoubleDoubleBall::WHOLE.rational(&number.value);
-        let double = nearest_double(short, |bits| Ball::enclosing(&number.value, bits));
+        let long = |bits| Ball::enclosing(&number.value.to_rational(), bits);
+        let double = nearest_double(short, long);
         self.is_nearest_double = Some(double.is_some() && double == nearest);
         (self.rounding, self.order) = (Some(rounding), Some(order));
         Some(())

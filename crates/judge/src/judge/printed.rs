@@ -1,9 +1,8 @@
 //! A printed number against the true value: the error, and how good the last place is.
 
 use super::comparable::Comparable;
-use crate::number::{
-    Ball, Decimal, ExactNumber, Rounded, Ternary, hexadecimal, power_of_ten, worded,
-};
+use super::printed_rational::PrintedRational;
+use crate::number::{Ball, Decimal, ExactNumber, Rounded, Ternary, hexadecimal, worded};
 use rug::Rational;
 use std::cmp::Ordering;
 
@@ -27,12 +26,12 @@ worded! {
     pub fn name -> &'static str;
 }
 
-/// A printed number as it is meant: its value, one unit of its last place, its digits.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A printed number as it is meant: its value, the units of its last place in one, and how many digits it has.
+#[derive(Clone, Debug)]
 pub(super) struct PrintedNumber {
-    pub(super) value: Rational,
-    pub(super) unit: Rational,
-    pub(super) digits: String,
+    pub(super) value: PrintedRational,
+    pub(super) per_unit: PrintedRational,
+    pub(super) digits: usize,
 }
 
 impl PrintedNumber {
@@ -45,32 +44,27 @@ impl PrintedNumber {
             (_, digits) => digits,
         };
         let zeros = decimal.digits().len().saturating_sub(digits.len());
-        let last = decimal.exponent() + zeros as i64;
-        let unit = unit_of_place(last)?;
-        Some(Self { value: decimal.to_rational(), unit, digits: digits.to_owned() })
+        let per_unit = PrintedRational::power_of_ten(-(decimal.exponent() + zeros as i64))?;
+        Some(Self { value: PrintedRational::decimal(decimal), per_unit, digits: digits.len() })
     }
 
     /// A double in hexadecimal, whose last place is that of the double.
     pub(super) fn from_hexadecimal(text: &str) -> Option<Self> {
         let exact = ExactNumber::rational(hexadecimal(text)?);
-        let (value, unit) = (exact.to_rational(), spacing(exact.nearest_double()?)?);
-        let digits = Rounded::from_rational(&value, DOUBLE_DIGITS)?.value.digits().to_owned();
-        Some(Self { value, unit, digits: if digits.is_empty() { "0".into() } else { digits } })
+        let (value, per_unit) = (exact.to_rational(), spacings_in_one(exact.nearest_double()?)?);
+        let digits = Rounded::from_rational(&value, DOUBLE_DIGITS)?.value.significant_digits();
+        Some(Self { value: PrintedRational::Long(value), per_unit, digits: digits.max(1) })
     }
 }
 
-/// Bits of a double, the exponent of its smallest numbers, and the digits that tell it.
-const DOUBLE_BITS: i32 = 53;
-const LEAST_SPACING: i32 = -1074;
+/// The digits that tell a double.
 const DOUBLE_DIGITS: usize = 17;
 
-/// The unit in the last place of a double; none for what is infinite.
-pub(super) fn spacing(x: f64) -> Option<Rational> {
-    if !x.is_finite() {
-        return None;
-    }
-    let exponent = rug::Float::with_val(64, x).get_exp().unwrap_or(LEAST_SPACING);
-    Some(Rational::from(1) << (exponent - DOUBLE_BITS).max(LEAST_SPACING))
+/// The units in the last place of a double that make one; none for what is infinite.
+pub(super) fn spacings_in_one(x: f64) -> Option<PrintedRational> {
+    // A subnormal number has the exponent of the smallest normal ones.
+    let biased = ((x.abs().to_bits() >> 52) as i32).max(1);
+    x.is_finite().then(|| PrintedRational::power_of_two(1075 - biased))
 }
 
 /// The most digits `k` for which an error is at most half a unit of the `k`-th significant digit of the
@@ -82,21 +76,10 @@ pub(super) fn correct_digits<E: Comparable>(
 ) -> Option<usize> {
     let zero = truth.value.digits().is_empty();
     let magnitude = if zero { 0 } else { truth.lower.magnitude() };
-    // The size may have been rounded up to a power of ten or down from above a half of one.
-    let mut digits = magnitude - size.magnitude() + 1;
-    while digits > 0 {
-        if error.is_within(&(unit_of_place(magnitude - digits)? / 2u32))? {
-            return usize::try_from(digits).ok();
-        }
-        digits -= 1;
-    }
-    Some(0)
-}
-
-/// A unit of the decimal place of an exponent.
-pub(super) fn unit_of_place(exponent: i64) -> Option<Rational> {
-    let power = Rational::from(power_of_ten(u32::try_from(exponent.unsigned_abs()).ok()?));
-    Some(if exponent < 0 { power.recip() } else { power })
+    let place = size.magnitude();
+    // Half a unit of the k-th digit is 5 of the place behind it.
+    let more = error.against(size, 5, place - 1)?.is_gt();
+    Some(usize::try_from(magnitude - place - i64::from(more)).unwrap_or(0))
 }
 
 /// A value that is certified, or an error in some unit, of either sign: exact, or in an enclosure.
@@ -116,45 +99,51 @@ impl<E: Comparable> KnownValue<E> {
     }
 
     /// Difference of what is printed and this.
-    pub(super) fn error_of(&self, printed: &Rational) -> Self {
+    pub(super) fn error_of(&self, printed: &PrintedRational) -> Self {
         match self {
-            Self::Exact(truth) => Self::Exact(Rational::from(printed - truth)),
+            Self::Exact(truth) => Self::Exact(printed.to_rational() - truth),
             Self::Enclosed(truth) => Self::Enclosed(truth.rational(printed) - truth),
         }
     }
 
-    /// Error in a unit that is not zero.
-    pub(super) fn over(&self, unit: &Rational) -> Self {
+    /// Error in a unit of which so many are one.
+    pub(super) fn times(&self, per_unit: &PrintedRational) -> Self {
         match self {
-            Self::Exact(error) => Self::Exact(Rational::from(error / unit)),
-            Self::Enclosed(error) => Self::Enclosed(error.clone() / error.rational(unit)),
+            Self::Exact(error) => Self::Exact(per_unit.to_rational() * error),
+            Self::Enclosed(error) => Self::Enclosed(error.rational(per_unit) * error),
         }
     }
 
-    /// Verdict on the last place, of an error in its units; `None` asks for a narrower enclosure.
-    pub(super) fn verdict(&self) -> Option<PrintedVerdict> {
-        Some(match self.is_within(&Rational::from((1, 2)))? {
-            true => PrintedVerdict::CorrectlyRounded,
-            false if self.is_below(&Rational::from(1))? => PrintedVerdict::Faithful,
-            false => PrintedVerdict::Wrong,
+    /// Verdict on the last place, of an error in its units, whose size is given; `None` asks for a narrower enclosure.
+    pub(super) fn verdict(&self, size: &Decimal) -> Option<PrintedVerdict> {
+        Some(match self.against(size, 5, -1)? {
+            Ordering::Less | Ordering::Equal => PrintedVerdict::CorrectlyRounded,
+            _ if self.against(size, 1, 0)?.is_lt() => PrintedVerdict::Faithful,
+            _ => PrintedVerdict::Wrong,
         })
     }
 
-    /// Tells whether the size of the error is at most so much. An enclosure never decides a tie.
-    pub(super) fn is_within(&self, limit: &Rational) -> Option<bool> {
-        match self {
-            Self::Exact(error) => Some(error.clone().abs() <= *limit),
-            Self::Enclosed(_) => self.is_below(limit),
+    /// Order of the size of the error, which is `size` to three digits, and a digit of a decimal place. An enclosure
+    /// never decides a tie.
+    fn against(&self, size: &Decimal, digit: u8, place: i64) -> Option<Ordering> {
+        // Both have three digits at most, and rounding keeps the order: only equals tell nothing.
+        let rounded = match size.digits().trim_end_matches('0').as_bytes() {
+            [] => Ordering::Less,
+            leading => size.magnitude().cmp(&(place + 1)).then(leading.cmp(&[b'0' + digit])),
+        };
+        if rounded.is_ne() {
+            return Some(rounded);
         }
-    }
-
-    /// Tells whether the size of the error is less than so much.
-    fn is_below(&self, limit: &Rational) -> Option<bool> {
+        let (digit, power) =
+            (PrintedRational::integer(digit.into()), PrintedRational::power_of_ten(place)?);
         match self {
-            Self::Exact(error) => Some(error.clone().abs() < *limit),
+            Self::Exact(error) => {
+                Some(error.clone().abs().cmp(&(digit.to_rational() * power.to_rational())))
+            }
             Self::Enclosed(error) => {
-                let limit = error.rational(limit);
-                decided(error.is_less_than(&limit).and((-limit).is_less_than(error)))
+                let limit = error.rational(&digit) * error.rational(&power);
+                let is_below = error.is_less_than(&limit).and((-limit).is_less_than(error));
+                Some(if decided(is_below)? { Ordering::Less } else { Ordering::Greater })
             }
         }
     }
@@ -195,28 +184,37 @@ mod tests {
 
     #[test]
     fn verdicts_at_the_borders() {
-        let verdict =
-            |n: i32, d: i32| KnownValue::<Ball>::Exact(Rational::from((n, d))).verdict().unwrap();
+        let verdict = |n: i32, d: i32| {
+            let error = KnownValue::<Ball>::Exact(Rational::from((n, d)));
+            error.verdict(&error.shown().unwrap()).unwrap()
+        };
         assert_eq!(verdict(1, 2), PrintedVerdict::CorrectlyRounded);
         assert_eq!(verdict(-1, 2), PrintedVerdict::CorrectlyRounded);
         assert_eq!(verdict(501, 1000), PrintedVerdict::Faithful);
         assert_eq!(verdict(-501, 1000), PrintedVerdict::Faithful);
         assert_eq!(verdict(1, 1), PrintedVerdict::Wrong);
-        let wide = Ball::enclosing(&Rational::from((1, 2)), 256) + Ball::whole(256);
-        assert_eq!(KnownValue::Enclosed(wide).verdict(), None);
+        let above = Rational::from((1, 2)) + (Rational::from(1) >> 200u32);
+        let near = Ball::enclosing(&above, 256);
+        let sized = KnownValue::Enclosed(near.clone()).verdict(&"0.500".parse().unwrap());
+        assert_eq!(sized, Some(PrintedVerdict::Faithful), "a hair above a half");
+        let tie = KnownValue::Enclosed(Ball::enclosing(&(1 - above), 256).hull(&near));
+        assert_eq!(tie.verdict(&"0.5".parse().unwrap()), None);
     }
 
     #[test]
     fn the_last_place_of_a_double_is_its_own() {
-        let unit = |x: f64| spacing(x).unwrap().to_f64();
+        let unit = |x: f64| spacings_in_one(x).unwrap().to_rational().recip().to_f64();
         assert_eq!(
             (unit(1.0), unit(2.0), unit(2.0f64.next_down())),
             (2f64.powi(-52), 2f64.powi(-51), 2f64.powi(-52))
         );
         assert_eq!((unit(0.0), unit(1e-320)), (5e-324, 5e-324));
-        assert_eq!(spacing(f64::INFINITY), None);
+        assert!(spacings_in_one(f64::INFINITY).is_none() && spacings_in_one(f64::NAN).is_none());
         let read = PrintedNumber::from_hexadecimal("0x1.8p+1").unwrap();
-        assert_eq!((read.value, read.unit.to_f64()), (Rational::from(3), 2f64.powi(-51)));
+        assert_eq!(
+            (read.value.to_rational(), read.per_unit.to_rational()),
+            (Rational::from(3), Rational::from(1) << 51)
+        );
     }
 
     #[test]
@@ -225,8 +223,10 @@ mod tests {
         let exact = KnownValue::Exact(Rational::from((1, 3)));
         for text in ["0.3333", "0.3334", "0.3335", "-0.3333", "0.33333333333333333333"] {
             let printed = PrintedNumber::from_decimal(&text.parse().unwrap()).unwrap();
-            let error = |known: &KnownValue| known.error_of(&printed.value).over(&printed.unit);
-            assert_eq!(error(&third).verdict(), error(&exact).verdict(), "{text}");
+            let error =
+                |known: &KnownValue| known.error_of(&printed.value).times(&printed.per_unit);
+            let verdict = |known: &KnownValue| error(known).verdict(&error(known).shown()?);
+            assert_eq!(verdict(&third), verdict(&exact), "{text}");
             assert_eq!(error(&third).shown(), error(&exact).shown(), "{text}");
             assert_eq!(error(&third).order(), error(&exact).order(), "{text}");
         }

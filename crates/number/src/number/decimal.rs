@@ -1,5 +1,6 @@
 //! Decimal text, read exactly.
 
+use super::digits::DecimalDigits;
 use super::{says, shown_as_text};
 use std::fmt;
 use std::str::FromStr;
@@ -9,7 +10,7 @@ use std::str::FromStr;
 pub struct Decimal {
     negative: bool,
     /// Decimal digits without leading zeros; empty for zero.
-    digits: String,
+    digits: DecimalDigits,
     exponent: i64,
 }
 
@@ -42,22 +43,25 @@ pub fn power_of_ten(exponent: u32) -> rug::Integer {
 
 impl Decimal {
     /// The decimal of a sign, digits and the power of ten of the last digit.
-    pub(super) fn new(negative: bool, digits: String, exponent: i64) -> Self {
-        let digits = match digits.starts_with('0') {
-            true => digits.trim_start_matches('0').to_owned(),
-            false => digits,
-        };
-        Self { negative: negative && !digits.is_empty(), digits, exponent }
+    pub(super) fn new(negative: bool, digits: &str, exponent: i64) -> Self {
+        Self::joined(negative, [digits, ""], exponent)
+    }
+
+    fn joined(negative: bool, [head, tail]: [&str; 2], exponent: i64) -> Self {
+        let head = head.trim_start_matches('0');
+        let tail = if head.is_empty() { tail.trim_start_matches('0') } else { tail };
+        let negative = negative && !(head.is_empty() && tail.is_empty());
+        Self { negative, digits: DecimalDigits::joined(head, tail), exponent }
     }
 
     /// The number of significant digits as written.
     pub fn significant_digits(&self) -> usize {
-        self.digits.len()
+        self.digits().len()
     }
 
     /// The significant digits, without leading zeros.
     pub fn digits(&self) -> &str {
-        &self.digits
+        self.digits.as_str()
     }
 
     /// Tells whether the decimal is below zero.
@@ -72,14 +76,14 @@ impl Decimal {
 
     /// The power of ten just above the number: `10^(magnitude-1) <= |x| < 10^magnitude`.
     pub fn magnitude(&self) -> i64 {
-        self.exponent + self.digits.len() as i64
+        self.exponent + self.digits().len() as i64
     }
 
     /// The exact value.
     #[cfg(feature = "mpfr")]
     pub fn to_rational(&self) -> rug::Rational {
         use rug::{Integer, Rational};
-        let digits = if self.digits.is_empty() { "0" } else { &self.digits };
+        let digits = if self.digits().is_empty() { "0" } else { self.digits() };
         let integer = match digits.parse::<u64>() {
             Ok(integer) => integer.into(),
             Err(_) => Integer::from_str_radix(digits, 10).unwrap_or_default(),
@@ -95,39 +99,37 @@ impl Decimal {
 
     /// The decimal without the zeros at its end.
     pub(super) fn shortened(&self) -> Self {
-        let kept = self.digits.trim_end_matches('0');
-        let zeros = (self.digits.len() - kept.len()) as i64;
-        Self::new(self.negative, kept.to_owned(), self.exponent + zeros)
+        let kept = self.digits().trim_end_matches('0');
+        let zeros = (self.digits().len() - kept.len()) as i64;
+        Self::new(self.negative, kept, self.exponent + zeros)
     }
 
-    /// Neighbour of the decimal, one unit of its last place, away from zero or towards it.
-    pub fn neighbour(&self, away: bool) -> Self {
-        let mut digits = self.digits.clone().into_bytes();
-        let (from, to) = if away { (b'9', b'0') } else { (b'0', b'9') };
+    /// The next decimal of so many digits, away from zero.
+    pub fn next(&self) -> Self {
+        let mut digits = self.digits().as_bytes().to_vec();
         for digit in digits.iter_mut().rev() {
-            if *digit == from {
-                *digit = to;
-            } else {
-                *digit = if away { *digit + 1 } else { *digit - 1 };
+            if *digit < b'9' {
+                *digit += 1;
                 break;
             }
+            *digit = b'0';
         }
         let mut text = String::from_utf8(digits).unwrap_or_default();
         let mut exponent = self.exponent;
-        if away && text.bytes().all(|d| d == b'0') {
+        if text.bytes().all(|d| d == b'0') {
             // 999 becomes 100 and a higher power of ten: the number of digits stays.
             text.pop();
             text.insert(0, '1');
             exponent += 1;
         }
-        Self::new(self.negative, text, exponent)
+        Self::new(self.negative, &text, exponent)
     }
 }
 
 impl fmt::Display for Decimal {
     /// Plain digits for ordinary sizes, scientific notation outside `1e-7 … 1e21`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.digits.is_empty() {
+        if self.digits().is_empty() {
             return f.write_str("0");
         }
         const ZEROS: &str = "00000000000000000000";
@@ -136,11 +138,11 @@ impl fmt::Display for Decimal {
             return fmt::LowerExp::fmt(self, f);
         }
         let sign = if self.negative { "-" } else { "" };
-        let parts = match magnitude - self.digits.len() as i64 {
-            _ if magnitude <= 0 => [sign, "0.", &ZEROS[..-magnitude as usize], &self.digits],
-            zeros @ 0.. => [sign, &self.digits, &ZEROS[..zeros as usize], ""],
+        let parts = match magnitude - self.digits().len() as i64 {
+            _ if magnitude <= 0 => [sign, "0.", &ZEROS[..-magnitude as usize], self.digits()],
+            zeros @ 0.. => [sign, self.digits(), &ZEROS[..zeros as usize], ""],
             _ => {
-                let (head, tail) = self.digits.split_at(magnitude as usize);
+                let (head, tail) = self.digits().split_at(magnitude as usize);
                 [sign, head, ".", tail]
             }
         };
@@ -151,7 +153,7 @@ impl fmt::Display for Decimal {
 impl fmt::LowerExp for Decimal {
     /// Scientific notation: every digit that is written is one of the number.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (head, tail) = self.digits.split_at(self.digits.len().min(1));
+        let (head, tail) = self.digits().split_at(self.digits().len().min(1));
         let (sign, point) =
             (if self.negative { "-" } else { "" }, if tail.is_empty() { "" } else { "." });
         [sign, head, point, tail].iter().try_for_each(|part| f.write_str(part))?;
@@ -190,7 +192,7 @@ impl FromStr for Decimal {
             .ok()
             .filter(|p| p.unsigned_abs() <= MAX_EXPONENT as u64)
             .ok_or_else(|| ParseDecimalError::Exponent(shown()))?;
-        Ok(Self::new(negative, [whole, fraction].concat(), power - fraction.len() as i64))
+        Ok(Self::joined(negative, [whole, fraction], power - fraction.len() as i64))
     }
 }
 
@@ -203,7 +205,7 @@ mod tests {
         #![proptest_config(crate::number::test_config::config(256))]
         #[test]
         fn text_goes_round(negative in any::<bool>(), n in any::<u128>(), exponent in -400i64..400) {
-            let decimal = Decimal::new(negative, n.to_string(), exponent);
+            let decimal = Decimal::new(negative, &n.to_string(), exponent);
             let back: Decimal = decimal.to_string().parse().unwrap();
             prop_assert_eq!(back.to_rational(), decimal.to_rational());
         }

@@ -80,6 +80,7 @@ mod as_text;
 mod astro;
 mod decimal;
 mod derivatives;
+mod digits;
 mod double;
 mod double_ball;
 mod double_double;

@@ -32,7 +32,7 @@ impl Written {
         if whole == "0" && part.bytes().all(|b| b == b'0') && text != "0" {
             return None;
         }
-        let decimal = Decimal::new(negative, format!("{whole}{part}"), power - part.len() as i64);
+        let decimal = Decimal::new(negative, &format!("{whole}{part}"), power - part.len() as i64);
         Some(Self(if mantissa.contains('.') { decimal } else { decimal.shortened() }))
     }
 

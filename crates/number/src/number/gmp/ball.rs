@@ -498,7 +498,7 @@ fn decimal(x: &Float, digits: usize, round: Round) -> Decimal {
     let (negative, text, exponent) = x.to_sign_string_exp_round(10, Some(digits), round);
     // The point stands in front of the digits.
     let exponent = exponent.map_or(0, |exponent| i64::from(exponent) - text.len() as i64);
-    Decimal::new(negative, text, exponent)
+    Decimal::new(negative, &text, exponent)
 }
 
 shown_as_text!(Ball);

@@ -62,8 +62,8 @@ impl Rounded {
         let short = short_expansion::cell(ball, digits + 1);
         let (mut text, exponent) = short.or_else(|| ball.excludes_zero().then(long).flatten())?;
         let last = text.pop()?;
-        let below = Decimal::new(negative, text, exponent + 1);
-        let above = below.neighbour(true);
+        let below = Decimal::new(negative, &text, exponent + 1);
+        let above = below.next();
         Some(Self::between([below, above], last >= '5', negative))
     }
 
@@ -147,8 +147,8 @@ impl Rounded {
             text = whole.to_string_radix(10);
         }
         let negative = *value < 0;
-        let below = Decimal::new(negative, text, exponent);
-        let above = below.neighbour(true);
+        let below = Decimal::new(negative, &text, exponent);
+        let above = below.next();
         let up = match fraction.cmp(&Rational::from((1, 2))) {
             Ordering::Less => false,
             Ordering::Greater => true,
@@ -170,7 +170,7 @@ fn terminating(rational: &Rational, digits: usize) -> Option<Decimal> {
     }
     let scaled = rational.clone().abs() * Integer::from(10).pow(places);
     let text = scaled.numer().to_string();
-    let decimal = Decimal::new(*rational < 0, text, -i64::from(places)).shortened();
+    let decimal = Decimal::new(*rational < 0, &text, -i64::from(places)).shortened();
     (decimal.significant_digits() <= digits).then_some(decimal)
 }
 

@@ -2,7 +2,9 @@
 //! in integers of fixed length, without a heap.
 
 use super::{Ball, Decimal, Rounded, TripleWordBall};
-use crate::number::{DoubleDoubleBall, double::exponent};
+use crate::number::{DoubleDouble, DoubleDoubleBall, double::exponent, float_ball::power_of_two};
+use std::f64::consts::LOG10_2;
+use std::io::Write;
 
 /// Digits beyond this are left to balls of MPFR.
 const MOST_DIGITS: usize = 33;
@@ -16,8 +18,14 @@ const BITS: i32 = 119;
 pub fn rounded_double(ball: &DoubleDoubleBall, digits: usize) -> Option<Rounded> {
     let is_negative = ball.mid().hi() < 0.0;
     let middle = if is_negative { -ball.mid() } else { ball.mid() };
-    // In units of 2^-scale the first part is an integer, and the second is rounded down.
     let scale = scale(exponent(middle.hi()))?;
+    let near = |places| near_cell(&middle, ball.rad(), places);
+    if (1..=FEW).contains(&digits)
+        && let Some(found) = in_cell(is_negative, middle.hi(), digits, near)
+    {
+        return Some(found);
+    }
+    // In units of 2^-scale the first part is an integer, and the second is rounded down.
     let floor = shifted(middle.hi(), scale)? + shifted(middle.lo(), scale)?;
     rounded(is_negative, floor, scale, ball.rad(), digits)
 }
@@ -41,18 +49,29 @@ fn rounded(is_negative: bool, floor: i128, scale: i32, rad: f64, digits: usize) 
     if !(1..=MOST_DIGITS).contains(&digits) {
         return None;
     }
-    let radius = (rad * f64::powi(2.0, scale)).ceil() + 1.0;
-    if !(0.0..f64::powi(2.0, BITS - 2)).contains(&radius) {
+    let radius = (rad * power_of_two(scale)).ceil() + 1.0;
+    if !(0.0..power_of_two(BITS - 2)).contains(&radius) {
         return None;
     }
     // All numbers of the ball lie between `low` and `low + width`.
     let low = u128::try_from(floor - radius as i128).ok()?;
     let width = 2 * radius as u128 + 1;
-    // One digit more than asked for tells the halves of a unit apart; the estimate may be off by one either way.
-    let size = floor as f64 * f64::powi(2.0, -scale);
-    let mut places = digits as i32 - size.log10().floor() as i32;
+    let size = floor as f64 * power_of_two(-scale);
+    in_cell(is_negative, size, digits, |places| cell(low, width, places, scale))
+}
+
+/// Numbers about a size, rounded: `cell` tells the cell of a grid of so many decimal places in which they lie. One
+/// digit more than asked for tells the halves of a unit apart.
+fn in_cell(
+    is_negative: bool,
+    size: f64,
+    digits: usize,
+    cell: impl Fn(i32) -> Option<DecimalCell>,
+) -> Option<Rounded> {
+    // The estimate may be off by one either way.
+    let mut places = digits as i32 - (f64::from(exponent(size)) * LOG10_2).floor() as i32;
     let (cell, exponent) = [0; 3].into_iter().find_map(|_| {
-        let cell = cell(low, width, places, scale)?;
+        let cell = cell(places)?;
         let length = length(cell.number) as i32;
         let found = (length == digits as i32 + 1).then_some((cell, 1 - places));
         places += digits as i32 + 1 - length;
@@ -68,10 +87,41 @@ fn rounded(is_negative: bool, floor: i128, scale: i32, rad: f64, digits: usize) 
             true => (number / 10, exponent + 1),
             false => (number, exponent),
         };
-        let text = u64::try_from(number).map_or_else(|_| number.to_string(), |n| n.to_string());
-        Decimal::new(is_negative, text, exponent.into())
+        let mut text = [0; MOST_DIGITS + 1];
+        write!(&mut text[..], "{number}").ok()?;
+        let text = std::str::from_utf8(&text[..length(number)]).ok()?;
+        Some(Decimal::new(is_negative, text, exponent.into()))
     };
-    Some(Rounded::between([decimal(below), decimal(below + 1)], last >= 5, is_negative))
+    Some(Rounded::between([decimal(below)?, decimal(below + 1)?], last >= 5, is_negative))
+}
+
+/// Digits up to which doubles nearly always tell the cell.
+const FEW: usize = 6;
+/// Powers of ten, each the nearest double.
+const TENS: [f64; 39] = {
+    let mut tens = [1.0; 39];
+    let mut exponent = 0;
+    while exponent < tens.len() {
+        tens[exponent] = 10u128.pow(exponent as u32) as f64;
+        exponent += 1;
+    }
+    tens
+};
+
+/// The cell of the grid of `10^-places` in which a number within `rad` of a positive `middle` lies.
+///
+/// With `h` and `l` the parts of `middle` and `P` the power of ten, such a number times `P` is within `(|l| + rad) P`
+/// of `h P`. Two roundings each, `P`'s and the product's, and those of the sums change both by less than `2^-49 h P`,
+/// as `|l| + rad` is below `h` where one cell of ten and more holds all.
+fn near_cell(middle: &DoubleDouble, rad: f64, places: i32) -> Option<DecimalCell> {
+    let power = TENS.get(places.unsigned_abs() as usize)?;
+    let scaled = |x: f64| if places < 0 { x / power } else { x * power };
+    let (middle, rest) = (scaled(middle.hi()), scaled(middle.lo().abs() + rad));
+    let slack = rest + middle * power_of_two(-49);
+    let (low, high) = (middle - slack, middle + slack);
+    let number = middle.floor();
+    let holds_all = number < low && high < number + 1.0;
+    Some(DecimalCell { number: number as u128, holds_all })
 }
 
 /// `floor(x 2^scale)`; `None` for a subnormal number, or where the result does not fit.
@@ -177,8 +227,8 @@ pub fn nearest_double(short: DoubleDoubleBall, enclosure: impl Fn(u32) -> Ball) 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Ball;
     use crate::number::test_config::config;
-    use crate::number::{Ball, DoubleDouble};
     use proptest::prelude::*;
     use rug::{Integer, Rational};
 

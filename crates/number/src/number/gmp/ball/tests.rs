@@ -17,7 +17,7 @@ fn shown(ball: &Ball, digits: usize) -> String {
     assert!((middle - &mid).abs() + radius <= bound, "{text}");
     if let Some(last) = inside.split_once(" +/- ").map(|(mid, _)| mid.parse::<Decimal>().unwrap()) {
         assert!(last.significant_digits() <= digits, "{text}");
-        let unit = Decimal::new(false, "2".to_owned(), last.exponent()).to_rational();
+        let unit = Decimal::new(false, "2", last.exponent()).to_rational();
         assert!(bound <= unit, "a digit too many: {text}");
     }
     text
