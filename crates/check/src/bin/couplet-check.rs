@@ -2,7 +2,7 @@
 //! here, so that nothing more has to be trusted.
 
 use couplet_check::check::{
-    AcceptedFile, CheckFailure, Engine, NO_MPFR, Words, check_files, print, visible,
+    AcceptedFile, CheckFailure, Engine, Words, check_files, print, visible,
 };
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -14,20 +14,24 @@ The checker trusts nothing that a certificate says: it computes residuals, slope
 gets one line: `accepted`, `refused` with the reason, `not checked` if it has more digits than the arithmetic is meant for,
 `not read` if it cannot be. `-` is standard input.
 
-Usage: couplet-check [--engine ENGINE] [--statement] FILE...
+The arithmetic is pure Rust, shares nothing with MPFR, and is meant for up to 50000 digits.
 
-  --engine ENGINE  astro (the default: pure Rust, shares nothing with MPFR, up to 50000 digits)
-  --statement      the whole statement of each accepted file in one sentence, with every digit
-  -h, --help       this page
-  -V, --version    the version
+Usage: couplet-check [--statement] FILE...
+
+  --statement    the whole statement of each accepted file in one sentence, with every digit
+  -h, --help     this page
+  -V, --version  the version
 
 Exit codes: 0 every file was accepted; 1 a file was refused; 2 bad usage; 3 none was refused, but one was not checked or
 not read.
 ";
 
+/// The arithmetic that takes more digits.
+const LARGER: &str = "`couplet check --engine mpfr`";
+
 /// Request that the arguments make.
 enum CheckRequest {
-    Check(Vec<OsString>, Engine, Words),
+    Check(Vec<OsString>, Words),
     Page(&'static str),
 }
 
@@ -37,7 +41,7 @@ fn main() -> ExitCode {
         Err(said) => return failed(&said, 2),
     };
     let done = match asked {
-        CheckRequest::Check(files, engine, words) => check_files(&files, engine, words, NO_MPFR),
+        CheckRequest::Check(files, words) => check_files(&files, Engine::ASTRO, words, LARGER),
         CheckRequest::Page(page) => print(page.as_bytes()),
     };
     match done {
@@ -55,8 +59,7 @@ fn failed(said: &str, code: u8) -> ExitCode {
 
 /// Reads the arguments; else says what is wrong with them.
 fn asked(mut arguments: impl Iterator<Item = OsString>) -> Result<CheckRequest, String> {
-    let (mut files, mut engine) = (Vec::new(), Engine::ASTRO);
-    let mut words: Words = AcceptedFile::summary;
+    let (mut files, mut words): (_, Words) = (Vec::new(), AcceptedFile::summary);
     while let Some(argument) = arguments.next() {
         match argument.to_str() {
             Some("-h" | "--help") => return Ok(CheckRequest::Page(HELP)),
@@ -69,8 +72,6 @@ fn asked(mut arguments: impl Iterator<Item = OsString>) -> Result<CheckRequest, 
             }
             Some("--statement") => words = AcceptedFile::statement,
             Some("--") => files.extend(arguments.by_ref()),
-            Some("--engine") => engine = named(arguments.next().as_ref().and_then(|x| x.to_str()))?,
-            Some(text) if text.starts_with("--engine=") => engine = named(text.get(9..))?,
             Some(text) if text.starts_with('-') && text != "-" => {
                 return Err(format!(
                     "unexpected argument '{text}' found; --help lists the options"
@@ -80,15 +81,9 @@ fn asked(mut arguments: impl Iterator<Item = OsString>) -> Result<CheckRequest, 
         }
     }
     match files.is_empty() {
-        true => Err("<FILE>... is missing; usage: couplet-check [--engine ENGINE] FILE...".into()),
-        false => Ok(CheckRequest::Check(files, engine, words)),
+        true => Err("<FILE>... is missing; usage: couplet-check FILE...".into()),
+        false => Ok(CheckRequest::Check(files, words)),
     }
-}
-
-fn named(name: Option<&str>) -> Result<Engine, String> {
-    let name = name.ok_or("a value is required for '--engine <ENGINE>' but none was supplied")?;
-    Engine::named(name, &[])
-        .map_err(|why| format!("invalid value '{name}' for '--engine <ENGINE>': {why}"))
 }
 
 #[cfg(test)]
@@ -107,12 +102,10 @@ mod tests {
     }
 
     #[test]
-    fn files_and_an_arithmetic_are_read() {
+    fn files_are_read() {
         assert_eq!(files(&["a.json", "-", "b.json"]), ["a.json", "-", "b.json"]);
-        assert_eq!(files(&["--engine", "astro", "a.json"]), ["a.json"]);
-        assert_eq!(files(&["a.json", "--engine=astro"]), ["a.json"]);
         assert_eq!(files(&["a.json", "--statement"]), ["a.json"]);
-        assert_eq!(files(&["--", "--engine", "-h"]), ["--engine", "-h"]);
+        assert_eq!(files(&["--", "--statement", "-h"]), ["--statement", "-h"]);
     }
 
     #[test]
@@ -126,14 +119,9 @@ mod tests {
 
     #[test]
     fn what_makes_no_sense_is_one_line() {
-        let cases: [(&[&str], &str); 5] = [
+        let cases: [(&[&str], &str); 3] = [
             (&[], "<FILE>... is missing"),
-            (&["--engine"], "a value is required"),
-            (
-                &["--engine", "gmp", "a"],
-                "invalid value 'gmp' for '--engine <ENGINE>': an arithmetic is one of astro",
-            ),
-            (&["--engine=mpfr", "a"], "mpfr is not built in; here are astro"),
+            (&["--engine", "mpfr", "a"], "unexpected argument '--engine' found"),
             (&["--digits", "a"], "unexpected argument '--digits' found"),
         ];
         for (words, said) in cases {

@@ -12,9 +12,6 @@ use std::io::{self, Read, Write};
 /// A certificate of a million digits has about 25 MB.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// The words of a program without MPFR for the arithmetic that takes more digits.
-pub const NO_MPFR: &str = "--engine mpfr, in a build that has it,";
-
 /// Words of an acceptance: its summary or its statement.
 pub type Words = fn(&AcceptedFile) -> String;
 

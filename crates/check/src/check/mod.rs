@@ -31,7 +31,7 @@ pub use checker::{
 };
 pub use claim::{ArchFile, AsymmetricFile, ClaimFile, StandsFile, StateFile, TooThinFile};
 pub use engine::Engine;
-pub use files::{CheckFailure, NO_MPFR, Words, check_files, print, read, reason};
+pub use files::{CheckFailure, Words, check_files, print, read, reason};
 pub use format::{Certificate, SCHEMA, ValueFile, Witness};
 pub use refusal::Refusal;
 pub use summary::summary;
