@@ -14,6 +14,33 @@ fn a_million_stones_are_told_in_every_format() {
     }
 }
 
+/// A value without a bound is `inf` in a row, as of every arch, and one that there is not is empty.
+#[test]
+fn what_has_no_bound_is_inf_in_a_row() {
+    let row = |line: &str| {
+        let text = printed(format!("assess {line} --format csv"));
+        let (header, row) = text.split_once('\n').unwrap();
+        let cells: Vec<String> = header
+            .split(',')
+            .map(str::to_owned)
+            .zip(row.split(','))
+            .map(|(name, x)| format!("{name}={x}"))
+            .collect();
+        cells.join(" ")
+    };
+    let unbounded = [
+        "geometric_safety=inf",
+        "required_friction=0",
+        "friction_safety=inf",
+        "largest_thrust=inf",
+    ];
+    tells(&row("--alpha 0.7 --mu 2 --eta 0.369 --stones 2"), unbounded);
+    tells(
+        &row("--alpha pi/2 --mu 0.6 --eta 0.05 --stones 7"),
+        ["geometric_safety=0.", "least_thrust= largest_thrust= "],
+    );
+}
+
 /// A range has what each number has, and what it loses; the figure has a mark for each.
 #[test]
 fn a_range_of_stones_is_told_in_every_format() {

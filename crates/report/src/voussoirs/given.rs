@@ -19,12 +19,15 @@ fn quotients(found: &VoussoirAssessment) -> [(&'static str, &'static str, &Round
     ]
 }
 
+/// The word for a value without a bound.
+const UNBOUNDED: &str = "unbounded";
+
 /// Text where a value is missing.
 fn none(arch: &VoussoirArch, name: &str, found: &VoussoirAssessment) -> &'static str {
     match (name, &arch.found, &found.required_friction) {
-        ("geometric_safety", Ok(Voussoirs::AnyThickness), _) => "unbounded",
+        ("geometric_safety", Ok(Voussoirs::AnyThickness), _) => UNBOUNDED,
         ("required_friction", ..) => "none is enough",
-        ("friction_safety", _, Ok(Some(_))) => "unbounded",
+        ("friction_safety", _, Ok(Some(_))) => UNBOUNDED,
         _ => "none",
     }
 }
@@ -69,7 +72,7 @@ pub(super) fn lines(arch: &VoussoirArch, given: &GivenThickness) -> Vec<String> 
     };
     if let Ok(VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends)) = &found.standing {
         for (side, end) in ends.iter().enumerate() {
-            let thrust = end.thrust.as_ref().map_or("unbounded".to_owned(), ToString::to_string);
+            let thrust = end.thrust.as_ref().map_or(UNBOUNDED.to_owned(), ToString::to_string);
             line(names[0][side], &thrust);
             if !end.contacts.is_empty() {
                 line(names[1][side], &limited(arch, end));
@@ -83,24 +86,32 @@ pub(super) fn lines(arch: &VoussoirArch, given: &GivenThickness) -> Vec<String> 
 fn limited(arch: &VoussoirArch, end: &VoussoirLimit) -> String {
     let one =
         |contact: &JointContact| format!("{} {}", at_limit(arch, contact), arch.place(contact.1));
-    end.contacts.iter().map(one).collect::<Vec<_>>().join(", ")
+    match end.contacts.is_empty() {
+        true => "nothing".to_owned(),
+        false => end.contacts.iter().map(one).collect::<Vec<_>>().join(", "),
+    }
 }
 
 /// Names of the cells of a row.
 pub(super) const COLUMNS: &str = "given_thickness can_stand geometric_safety required_friction friction_safety \
                                   least_thrust largest_thrust limited_by reason";
 
-/// The cells of a row; what is open or does not exist is empty.
+/// The cells of a row; what is open or does not exist is empty, and `inf` what has no bound.
 pub(super) fn cells(arch: &VoussoirArch, given: &GivenThickness) -> Record {
     let mut cells = Record::default();
     cells.add("given_thickness", given.thickness.to_string());
     cells.add("can_stand", given.stands());
+    let mut cell = |name: &'static str, figure: Option<&Figure>, is_unbounded: bool| match figure {
+        None if is_unbounded => cells.add(name, "inf"),
+        figure => cells.add_bounds(name, figure),
+    };
     for (name, _, of) in quotients(&given.found) {
-        cells.add_bounds(name, value(of));
+        let is_unbounded = of.is_ok() && none(arch, name, &given.found) == UNBOUNDED;
+        cell(name, value(of), is_unbounded);
     }
     if let Ok(VoussoirStanding::Stands([least, largest])) = &given.found.standing {
-        cells.add_bounds("least_thrust", least.thrust.as_ref());
-        cells.add_bounds("largest_thrust", largest.thrust.as_ref());
+        cell("least_thrust", least.thrust.as_ref(), false);
+        cell("largest_thrust", largest.thrust.as_ref(), true);
     }
     let limits = given.found.standing.as_ref().ok().map(|standing| {
         let (VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends)) = standing;
