@@ -48,6 +48,27 @@ fn a_tilted_arch_has_forces_and_angles() {
     }
 }
 
+/// On steep ground an arch with unlimited friction comes apart at a springing: both its hinges are there, and no slip
+/// is asked for. A large friction differs by little, however large it is.
+#[test]
+fn the_largest_tilt_is_found_whatever_the_friction() {
+    let largest = |mu: &str| {
+        let arch = "--alpha 0.994 --eta 0.504 --weight heyman --tilt 0.3 --digits 12";
+        object(format!("assess {arch} --mu {mu}"))
+    };
+    let json = largest("inf");
+    assert_eq!(json["largest_tilt"]["value"], "7.10159604237", "a linear programme has 7.10160");
+    let springing = |joint: &&Value| joint["side"] == "left" && joint["angle"].value() == 0.994;
+    let there: Vec<&Value> = json["gives_way"].list().iter().filter(springing).collect();
+    let [one, other] = &there[..] else { panic!("{json}") };
+    assert_eq!(one["happens"], "hinge at the extrados");
+    assert_eq!(other["happens"], "hinge at the intrados");
+    for mu in ["1e6", "1e12", "1e30", "1e100"] {
+        let near = largest(mu)["largest_tilt"].value();
+        assert!((near / json["largest_tilt"].value() - 1.0).abs() < 1e-7, "{mu}: {near}");
+    }
+}
+
 /// Beside a verdict, what stays open is named: the largest acceleration, and not whether there is a state.
 #[test]
 fn what_stays_open_beside_a_verdict_is_named() {

@@ -353,7 +353,10 @@ impl<'a> TiltPanel<'a> {
 
     /// The joints' angles, the radii to which blocks reach there, and their names.
     fn names(&self) -> impl Iterator<Item = (f64, f64, String)> {
-        self.joints.iter().map(|joint| {
+        // A place where two give way has one name.
+        let mut joints: Vec<&JointAtLimit> = self.joints.iter().collect();
+        joints.dedup_by_key(|joint| joint.of.angle.double());
+        joints.into_iter().map(|joint| {
             let angle = joint.of.angle.double();
             let near = |[x, y]: &[f64; 2]| (x.atan2(*y) - angle).abs() < 0.2;
             let corners = self.view.blocks.iter().flat_map(Blocks::corners).filter(near);

@@ -60,9 +60,10 @@ const ROUNDS: usize = 12;
 /// Rounding errors of a condition at a joint.
 const ROUNDING: f64 = 1e-14;
 
-/// The conditions at a joint: with unlimited friction both slips ask for a normal force, and one is enough.
+/// The conditions at a joint: with unlimited friction slips ask for a normal force alone, of which the two hinges leave
+/// no other than a positive one, as what they ask for adds up to it.
 pub fn contacts(is_limited: bool) -> &'static [Contact] {
-    if is_limited { &Contact::ALL } else { &Contact::ALL[..3] }
+    if is_limited { &Contact::ALL } else { &Contact::ALL[..2] }
 }
 
 impl TiltSearch {
@@ -206,7 +207,13 @@ pub enum StoneTilt {
 }
 
 fn half_spaces(rows: &[TiltedRow<f64>]) -> Vec<HalfSpace> {
-    rows.iter().map(|row| HalfSpace { a: row.coefficients, d: -row.load }).collect()
+    rows.iter().map(|row| half_space(row, row.coefficients, -row.load)).collect()
+}
+
+/// A condition with coefficients next to one: those of a slip grow with the friction, of a hinge as the arch gets thin.
+fn half_space(row: &TiltedRow<f64>, a: [f64; 4], d: f64) -> HalfSpace {
+    let size = row.coefficients.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+    HalfSpace { a: a.map(|x| x / size), d: d / size }
 }
 
 /// The largest acceleration under conditions.
@@ -265,7 +272,7 @@ pub fn inside(rows: &[TiltedRow<f64>], tilt: f64) -> Option<[f64; 4]> {
 fn farthest(rows: &[TiltedRow<f64>], tilt: f64) -> Optimum {
     let slack = |row: &TiltedRow<f64>| {
         let [h, p, v, k] = row.coefficients;
-        HalfSpace { a: [h, p, v, 1.0], d: -row.load - k * tilt }
+        half_space(row, [h, p, v, 1.0], -row.load - k * tilt)
     };
     // More room than one is not asked for.
     let most = HalfSpace { a: [0.0, 0.0, 0.0, 1.0], d: 1.0 };

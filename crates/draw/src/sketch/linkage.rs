@@ -56,7 +56,10 @@ impl Linkage {
             place = self.stepped(&place, low).unwrap_or(place);
             break;
         }
-        Some(Moved { blocks: self.blocks(&place).into(), by: self.largest(&place) })
+        // Where two joints give way at one place, the arch comes apart there, and nothing is between them.
+        let has_width = |block: &Block| block.between[0] < block.between[1];
+        let blocks = self.blocks(&place).into_iter().filter(has_width).collect();
+        Some(Moved { blocks, by: self.largest(&place) })
     }
 
     /// The blocks where they are.
