@@ -1,6 +1,4 @@
-//! A range cut into boxes, each a survey, and how many of them stand: `couplet.cells/1`.
-//!
-//! All boxes have one extent in what is given, so that their numbers are their shares of the whole.
+//! A range cut into boxes, each a survey, and how many of them stand: `couplet.cells/2`.
 
 use super::record::Record;
 use super::reported::Reported;
@@ -11,8 +9,6 @@ use super::understood::Understood;
 use super::words::{aligned, count, list};
 use crate::arch::SelfWeight;
 use crate::ask::Field;
-use crate::number::Rounded;
-use rug::Rational;
 use std::sync::Arc;
 
 /// Boxes of one self-weight, each with what is proved of every arch inside.
@@ -29,9 +25,6 @@ pub struct SurveyedCells {
     /// Columns of a table of them.
     pub rows: SurveyedRows,
 }
-
-/// Digits of shares.
-const DIGITS: usize = 6;
 
 /// Answers that a box has, in words, of arches with and without a thickness.
 const WITH_THICKNESS: [[&str; 2]; 4] = [
@@ -59,19 +52,6 @@ impl SurveyedCells {
         self.outcomes().map(of)
     }
 
-    /// Part of some boxes in all: correctly rounded, and outward.
-    fn part(&self, boxes: usize) -> Option<Rounded> {
-        let part = Rational::from((boxes, self.cells.len().max(1)));
-        Rounded::from_rational(&part, DIGITS)
-    }
-
-    /// Bounds of the part that stands: what is decided of whole boxes, down and up.
-    fn stands(&self) -> Option<[String; 2]> {
-        let [all, none, ..] = self.counts();
-        let (lower, upper) = (self.part(all)?, self.part(self.cells.len() - none)?);
-        Some([lower.lower.to_string(), upper.upper.to_string()])
-    }
-
     fn say(&self, record: &mut Record) {
         record.say(format!("Every arch of {}\n", self.asked.with_weight(self.weight)));
         let cut: Vec<String> = self
@@ -83,27 +63,18 @@ impl SurveyedCells {
         record.say(format!("{boxes}: {}", list(cut.iter().map(String::as_str))));
         record.say(MEANING);
         record.say("");
-        let row = |(([_, words], boxes), share): (([&str; 2], usize), Option<Rounded>)| {
-            let share = share.map_or(String::new(), |share| share.value.to_string());
-            vec![words.to_owned(), boxes.to_string(), share]
-        };
-        let shares = self.counts().map(|boxes| self.part(boxes));
+        let row =
+            |([_, words], boxes): ([&str; 2], usize)| vec![words.to_owned(), boxes.to_string()];
         let rows: Vec<Vec<String>> =
-            self.outcomes().into_iter().zip(self.counts()).zip(shares).map(row).collect();
+            self.outcomes().into_iter().zip(self.counts()).map(row).collect();
         record.say_all(aligned(&rows).map(|line| format!("   {line}")));
-        if let Some([lower, upper]) = self.stands() {
-            let stands = if self.rows.have_thickness { "stands" } else { "can stand" };
-            record.say(format!(
-                "\n   part that {stands}: {lower} to {upper}, each measure spread evenly between its ends"
-            ));
-        }
         record.say("   A box is decided by a proof about every arch inside, its borders too.");
     }
 }
 
 impl Reported for SurveyedCells {
     fn records(&self) -> Vec<Record> {
-        let mut record = Record::of("couplet.cells/1");
+        let mut record = Record::of("couplet.cells/2");
         self.say(&mut record);
         self.asked.add_to(&mut record);
         record.add("meaning", MEANING);
@@ -116,14 +87,9 @@ impl Reported for SurveyedCells {
             let mut outcome = Record::default();
             outcome.add("outcome", name);
             outcome.add("boxes", boxes);
-            outcome.add("share", self.part(boxes).map(|share| share.value.to_string()));
             outcome
         };
         record.add_list("outcomes", self.outcomes().into_iter().zip(self.counts()).map(outcome));
-        let stands = self
-            .stands()
-            .map(|[lower, upper]| Record::named("lower upper", [lower.into(), upper.into()]));
-        record.add_record("stands", stands);
         record.add_list("cells", self.cells.iter().map(|cell| self.rows.answer(Some(cell))));
         vec![record]
     }

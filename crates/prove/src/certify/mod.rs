@@ -50,7 +50,6 @@ pub use verdict::certify_arch;
 
 pub use crate::prover::cover::{between, cover};
 pub use crate::prover::isolate::isolate;
-pub use crate::prover::isolate::isolate_near;
 #[doc(hidden)]
 pub use crate::prover::linear::Eliminated;
 pub use crate::prover::refine::{Refined, refine, refine_watched, stages};

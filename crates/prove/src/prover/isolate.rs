@@ -3,8 +3,6 @@
 use super::Undecided;
 use super::ladder::Unique;
 use super::operator::{Equations, Operator, Scales, inverse_jacobian, largest_boxes};
-use super::posed::Posed;
-use super::root::root_near;
 use crate::arch::{Configuration, SelfWeight};
 use crate::number::{Ball, DoubleBall, Magnitude};
 use crate::problem::{Landmark, Problem, System};
@@ -84,18 +82,6 @@ pub fn isolate(
     candidate: &Candidate,
 ) -> Result<Isolated, Undecided> {
     isolated(&Problem::Landmark { landmark, weight }, &candidate.0, BITS)
-}
-
-/// The root of a problem next to start values, in numbers of `bits` bits, and a large box in which it is the only one.
-pub fn isolate_near(
-    problem: &Problem,
-    start: Vec<Float>,
-    bits: u32,
-) -> Result<(Vec<Ball>, Isolated), Undecided> {
-    let (system, given) = (problem.system(), problem.given(bits));
-    let root = root_near(&Posed { system: &system, given: &given }, bits, start)?;
-    let centre: Vec<Float> = root.iter().map(|x| x.mid().clone()).collect();
-    Ok((root, isolated(problem, &centre, bits)?))
 }
 
 /// The largest box that the proof carries, in numbers of `bits` bits.
