@@ -88,6 +88,15 @@ pub struct ModesFound {
     pub some_fall: Option<bool>,
 }
 
+impl ModesFound {
+    /// Tells whether every arch collapses by rotation alone.
+    pub(super) fn is_rotation_alone(&self) -> bool {
+        self.occur == [Mode::Rotational]
+            && self.may_occur.is_empty()
+            && self.some_fall == Some(false)
+    }
+}
+
 impl fmt::Display for EndValue {
     /// Number, `none` where none is enough, `any` where each is, or `inf`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -168,7 +168,7 @@ pub(super) fn outward(figure: &Figure, up: bool) -> EndValue {
 /// Answer of two corners.
 pub(super) fn answer(worst: Corner, best: Corner, modes: Option<ModesFound>) -> SurveyAnswer {
     let (verdict, (mut ranges, open)) = (verdict(&worst, &best), ranges(&worst, &best));
-    ranges.extend(thrust_at_least_thickness(&worst, &best));
+    ranges.extend(thrust_at_least_thickness(&worst, &best, modes.as_ref()));
     SurveyAnswer { verdict, worst: worst.at, best: best.at, ranges, open, modes }
 }
 
@@ -225,10 +225,15 @@ fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Option<Undecide
     (ranges, open)
 }
 
-/// Range of the thrust at the least thickness, where that is asked for and span and rise are not measured: an
-/// enclosure. A state is admissible in the best arch too, and there as well when that has the thickness that the worst
+/// Range of the thrust at the least thickness, where that is asked for and span and rise are not measured. If all
+/// arches rotate, it falls as the half opening grows, whatever the friction (the claim `curve-order`). Else an
+/// enclosure: a state is admissible in the best arch too, and there as well when that has the thickness that the worst
 /// one needs.
-fn thrust_at_least_thickness(worst: &Corner, best: &Corner) -> Option<QuantityRange> {
+fn thrust_at_least_thickness(
+    worst: &Corner,
+    best: &Corner,
+    modes: Option<&ModesFound>,
+) -> Option<QuantityRange> {
     let (
         CornerAnswer::State(Ok(Answer::Stands(thin))),
         CornerAnswer::State(Ok(Answer::Stands(thick))),
@@ -238,9 +243,10 @@ fn thrust_at_least_thickness(worst: &Corner, best: &Corner) -> Option<QuantityRa
         return None;
     };
     let of = Quantity::Thrust;
-    if is_one_arch(&worst.at, &best.at) {
-        let end = |up| RangeEnd::attained(outward(&thin.thrust, up), &best.at);
-        return Some(QuantityRange { of, lower: end(false), upper: end(true) });
+    if is_one_arch(&worst.at, &best.at) || modes.is_some_and(ModesFound::is_rotation_alone) {
+        let lower = RangeEnd::attained(outward(&thick.thrust, false), &worst.at);
+        let upper = RangeEnd::attained(outward(&thin.thrust, true), &best.at);
+        return Some(QuantityRange { of, lower, upper });
     }
     let needed = ExactNumber::from(&thick.thickness.decimal.upper.to_rational());
     let digits = thin.thrust.decimal.value.significant_digits().min(ENCLOSED_DIGITS);

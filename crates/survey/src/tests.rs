@@ -207,3 +207,17 @@ fn the_worst_arch_need_not_have_the_longest_span() {
     let [span, ..] = found.worst.measured.unwrap();
     assert!(span.metres() < length(11.0).metres(), "{span}");
 }
+
+/// Where all arches rotate, the ends of the thrust are those of two arches; with another mode they enclose.
+#[test]
+fn the_thrust_of_arches_that_rotate_has_its_ends() {
+    let ends = |mu: f64| {
+        let shape = Shape::Free { half_opening: [number(1.2), number(1.5)], thickness: None };
+        let arches = Survey::new(SelfWeight::Milankovitch, [friction(mu), friction(0.8)], shape);
+        let found = survey(&arches.unwrap(), 6).unwrap();
+        let of = range(&found, Quantity::Thrust).unwrap().clone();
+        let is_at = |at: Option<_>, arch| at == Some(arch);
+        [is_at(of.lower.at, found.worst), is_at(of.upper.at, found.best)]
+    };
+    assert_eq!((ends(0.4), ends(0.3)), ([true; 2], [false; 2]));
+}
